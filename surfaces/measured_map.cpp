@@ -2,6 +2,7 @@
 
 #include "base/plain_text.hpp"
 #include "base/shown_number.hpp"
+#include "input/case_options.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/limits.hpp"
 #include "surfaces/analysis/reliable_range.hpp"
@@ -84,7 +85,7 @@ bool is_usual_mark(double number) {
 /// @param heights  [m], not finite at missing points
 /// @param name     of the file, for messages
 /// @throws input::InputError  names the number, how many points have it, and
-///                            the key surface.missing_value
+///                            the option --missing-value
 void refuse_marks(std::span<const double> heights, const FileNumbers& numbers,
                   const std::string& name) {
   constexpr double least_impossible = 1e20;
@@ -98,12 +99,13 @@ void refuse_marks(std::span<const double> heights, const FileNumbers& numbers,
     if (is_impossible || is_known || is_suspect)
       throw input::InputError(fmt::format(
           "{}: {} point(s) have the number {:.7g}, which {} and probably marks "
-          "missing points; surface.missing_value = {:.7g} takes it for that, "
-          "and another value, such as 1e99, takes all numbers for heights",
+          "missing points; {} takes it for that, and another value, such as "
+          "1e99, takes all numbers for heights",
           name, end.points, number,
           is_impossible ? "is larger than any height"
                         : "is far from all others",
-          number));
+          input::setting("surface.missing_value",
+                         fmt::format("{:.7g}", number))));
   }
 }
 
@@ -308,16 +310,18 @@ std::vector<std::string> warnings_of(const MapFaults& faults) {
   std::vector<std::string> warnings;
   if (faults.spikes.count > 0)
     warnings.push_back(
-        fmt::format("{} spike{} of up to {} beside all neighbours; --set "
-                    "surface.remove_spikes={:g} removes {}",
+        fmt::format("{} spike{} of up to {} beside all neighbours; {} removes "
+                    "{}",
                     faults.spikes.count, faults.spikes.count == 1 ? "" : "s",
                     quantity_text(faults.spikes.highest, "m", 3),
-                    spike_threshold, faults.spikes.count == 1 ? "it" : "them"));
+                    input::setting("surface.remove_spikes",
+                                   fmt::format("{:g}", spike_threshold)),
+                    faults.spikes.count == 1 ? "it" : "them"));
   if (faults.form_share > largest_form_share)
     warnings.push_back(fmt::format(
-        "form: a second-order surface explains {:.3g} % of the variance; "
-        "--set surface.level=bow removes it",
-        100.0 * faults.form_share));
+        "form: a second-order surface explains {:.3g} % of the variance; {} "
+        "removes it",
+        100.0 * faults.form_share, input::setting("surface.level", "bow")));
   if (faults.missing > 0)
     warnings.push_back(fmt::format(
         "{} of {} points ({:.2g} %) are missing and interpolated; crop them "

@@ -1,6 +1,7 @@
 #include "reports/analysis/warnings.hpp"
 
 #include "base/shown_number.hpp"
+#include "input/case_options.hpp"
 #include "input/reader/locking.hpp"
 #include "input/types/omissions.hpp"
 #include "reports/analysis/exact.hpp"
@@ -139,8 +140,9 @@ void add_noise(const Result& result, std::vector<Warning>& warnings) {
        "\"reliable\", and a sweep over cut_off to see the area against it.",
        fmt::format(
            "{:.0f} % of the mean square slope is noise of the instrument: "
-           "use --set surface.cut_off=reliable.",
-           100.0 * above / whole)});
+           "use {}.",
+           100.0 * above / whole,
+           input::setting("surface.cut_off", "reliable"))});
 }
 
 void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
@@ -159,9 +161,10 @@ void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
        "Persson's theory assumes the same roughness in all directions and does "
        "not describe this map.",
        fmt::format(
-           "Scan lines or grooves along {}: if they are artefacts, --set "
-           "surface.align_lines=median removes them.",
-           ratio > 1.0 ? "x" : "y")});
+           "Scan lines or grooves along {}: if they are artefacts, {} removes "
+           "them.",
+           ratio > 1.0 ? "x" : "y",
+           input::setting("surface.align_lines", "median"))});
 }
 
 void add_digits(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
@@ -204,9 +207,9 @@ void add_tilt(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
        "Everything in units of h_rms refers to the tilted map: relative to the "
        "roughness, the tolerance of the solvers is larger by this factor. Use "
        "level = \"plane\", or a tolerance that is smaller by it.",
-       fmt::format("The map is tilted, {:.3g} times its roughness: use --set "
-                   "surface.level=plane.",
-                   surface.rms_height / roughness)});
+       fmt::format("The map is tilted, {:.3g} times its roughness: use {}.",
+                   surface.rms_height / roughness,
+                   input::setting("surface.level", "plane"))});
 }
 
 /// Spikes, form and missing points that were found when the map was read.

@@ -1,8 +1,11 @@
 #include "run/arguments/case_options.hpp"
 
+#include "base/plain_text.hpp"
+#include "input/case_options.hpp"
 #include "input/input_error.hpp"
 #include "input/nearest.hpp"
 #include "input/reader/vocabulary.hpp"
+#include "input/refusals.hpp"
 #include "input/text/toml_text.hpp"
 #include "input/units.hpp"
 #include "run/arguments/physics.hpp"
@@ -13,6 +16,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -20,89 +24,9 @@
 namespace asperity::run {
 namespace {
 
-using enum OptionGroup;
-
-/// The options of maps, bodies and loads.
-std::vector<CaseOption> problem_rows() {
-  return {{map, "--length", "surface.length", "Q", "20 um",
-           "side length in x of a map whose file states none,\n"
-           "e.g. \"20 um\""},
-          {map, "--height-unit", "surface.height_unit", "U", "nm",
-           "unit of the heights of such a map, e.g. nm"},
-          {map, "--length-unit", "surface.length_unit", "U", "um",
-           "unit of the positions of a list x y z, e.g. um"},
-          {map, "--missing-value", "surface.missing_value", "X", "-9999",
-           "number at points of a map that were not measured,\n"
-           "e.g. -9999"},
-          {map, "--channel", "surface.channel", "NAME", "Height",
-           "channel of the file, by its title or number"},
-          {map, "--level", "surface.level", "FORM", "plane",
-           "form removed from a map: none, plane, bow, sphere or\n"
-           "cylinder (default: plane)"},
-          {map, "--remove-spikes", "surface.remove_spikes", "X", "8",
-           "replace points of a map that are so many robust\n"
-           "standard deviations off their neighbours, e.g. 8"},
-          {map, "--cut-off", "surface.cut_off", "Q", "600 nm",
-           "remove shorter waves of a map, e.g. \"600 nm\", or\n"
-           "\"reliable\": those in its noise"},
-          {body, "--contact-modulus", "material.contact_modulus", "Q", "2 GPa",
-           "E* of the block, or of both bodies, e.g. \"2 GPa\""},
-          {body, "--youngs-modulus", "material.youngs_modulus", "Q", "2 GPa",
-           "E of the block in the place of E*, e.g. \"2 GPa\""},
-          {body, "--poisson-ratio", "material.poisson_ratio", "X", "0.3",
-           "Poisson's ratio of the block, e.g. 0.3"},
-          {body, "--counter-youngs-modulus", "material.counter.youngs_modulus",
-           "Q", "210 GPa",
-           "E of the body on it (default: it is rigid),\n"
-           "e.g. \"210 GPa\""},
-          {body, "--counter-poisson-ratio", "material.counter.poisson_ratio",
-           "X", "0.3", "Poisson's ratio of that body, e.g. 0.3"},
-          {load, "--pressure", "load.nominal_pressure", "Q", "1 MPa",
-           "nominal pressure, e.g. \"1 MPa\", or a range of them,\n"
-           "\"1 kPa..1 MPa\"; may be repeated"}};
-}
-
-std::vector<CaseOption> effect_rows() {
-  return {{effect, "--flow", "flow.viscosity", "FLUID", "water",
-           "fluid that leaks through the gap: water, air, or a\n"
-           "viscosity, e.g. \"0.1 Pa s\"; the pressure drop is\n"
-           "100 kPa or flow.pressure_drop"},
-          {effect, "--work-of-adhesion", "halfspace.work_of_adhesion", "Q",
-           "50 mJ/m^2",
-           "of the faces of a half-space, e.g. \"50 mJ/m^2\"; a map\n"
-           "is pressed and pulled off"},
-          {effect, "--friction", "friction.coefficient", "X", "0.5",
-           "coefficient of friction, for partial slip under the\n"
-           "largest load"},
-          {effect, "--hardness", "halfspace.hardness", "Q", "2 GPa",
-           "largest contact pressure of the half-space and of\n"
-           "the theory of a map, e.g. \"2 GPa\""},
-          {effect, "--thermal-conductivity", "conductance.thermal_conductivity",
-           "Q", "0.2 W/(m K)",
-           "of the block, e.g. \"0.2 W/(m K)\": heat through the\n"
-           "contact"},
-          {effect, "--counter-thermal-conductivity",
-           "conductance.counter_thermal_conductivity", "Q", "16 W/(m K)",
-           "of the body on it, e.g. \"16 W/(m K)\""},
-          {effect, "--resistivity", "conductance.resistivity", "Q", "17 nOhm m",
-           "of the block, e.g. \"17 nOhm m\": current through the\n"
-           "contact"},
-          {effect, "--counter-resistivity", "conductance.counter_resistivity",
-           "Q", "24 nOhm m", "of the body on it, e.g. \"24 nOhm m\""}};
-}
-
-const std::vector<CaseOption>& option_rows() {
-  static const std::vector<CaseOption> rows = [] {
-    std::vector<CaseOption> all = problem_rows();
-    std::ranges::move(effect_rows(), std::back_inserter(all));
-    return all;
-  }();
-  return rows;
-}
-
 /// The value of an option as TOML: a quantity must have its unit, so that
 /// "2e9" is no number in SI.
-std::string toml_of(const CaseOption& option, const std::string& value) {
+std::string toml_of(const input::CaseOption& option, const std::string& value) {
   const std::size_t dot = option.key.rfind('.');
   const cases::Key* const key =
       cases::find_key(std::string(option.key.substr(0, dot)),
@@ -110,7 +34,16 @@ std::string toml_of(const CaseOption& option, const std::string& value) {
   const bool is_number = key != nullptr &&
                          key->type == cases::ValueType::quantity &&
                          key->dimension == input::Dimension::none;
-  return is_number ? value : cases::toml_value(value);
+  if (!is_number)
+    return cases::toml_value(value);
+  double number = 0.0; // ".5", which TOML does not know
+  const char* const end = value.data() + value.size();
+  const auto read = std::from_chars(value.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end)
+    throw input::InputError(
+        fmt::format("{} = \"{}\", but must be a number, as in {}", option.name,
+                    printable(value), option.with(option.example)));
+  return fmt::format("{}", number);
 }
 
 /// A load that is easy to read.
@@ -199,12 +132,6 @@ bool replace_text(std::string& text, const std::string& from,
   return is_found;
 }
 
-/// A word of a command line.
-std::string written(std::string_view example) {
-  return example.find(' ') == example.npos ? std::string(example)
-                                           : fmt::format("\"{}\"", example);
-}
-
 /// Makes the entries of a case, and collects what is refused.
 class OverrideMaker {
 public:
@@ -213,29 +140,25 @@ public:
 
   std::vector<std::string>
   made(const std::map<std::string, std::string, std::less<>>& values) {
-    for (const CaseOption& option : option_rows())
-      if (const auto found = values.find(option.name);
-          found != values.end() && !found->second.empty())
-        collect([&] { add(option, found->second); });
+    for (const input::CaseOption& option : input::case_options())
+      if (const auto found = values.find(option.name); is_read(option.group) &&
+                                                       found != values.end() &&
+                                                       !found->second.empty())
+        refusals_.of([&] { add(option, found->second); });
     for (const char* other : {"--work-of-adhesion", "--hardness"})
-      if (options_.has("--friction") && options_.has(other))
-        refusals_.push_back(fmt::format(
+      if (is_read(input::OptionGroup::effect) && options_.has("--friction") &&
+          options_.has(other))
+        refusals_.add(fmt::format(
             "--friction cannot be combined with {}: partial slip follows from "
             "the normal contact of a half-space without adhesion and hardness",
             other));
-    if (!refusals_.empty())
-      throw input::InputError(fmt::format("{}", fmt::join(refusals_, "\n")));
+    refusals_.throw_if_any();
     return std::move(entries_);
   }
 
 private:
-  template <class Work>
-  void collect(const Work& work) {
-    try {
-      work();
-    } catch (const input::InputError& error) {
-      refusals_.emplace_back(error.what());
-    }
+  bool is_read(input::OptionGroup group) const {
+    return !asked_.group || *asked_.group == group;
   }
 
   void put(std::string_view key, const std::string& toml) {
@@ -248,7 +171,7 @@ private:
       put(key, "");
   }
 
-  void add(const CaseOption& option, const std::string& value) {
+  void add(const input::CaseOption& option, const std::string& value) {
     if (option.name == "--flow")
       return (void)std::ranges::move(flow_overrides(value),
                                      std::back_inserter(entries_));
@@ -299,14 +222,10 @@ private:
   const CaseOptions& options_;
   const AskedOf& asked_;
   std::vector<std::string> entries_;
-  std::vector<std::string> refusals_;
+  input::Refusals refusals_;
 };
 
 } // namespace
-
-std::span<const CaseOption> case_options() {
-  return option_rows();
-}
 
 std::string& CaseOptions::place(std::string_view name) {
   return values_[std::string(name)];
@@ -343,7 +262,7 @@ std::string CaseOptions::with_options(const std::string& refusal,
     begin = end + 1;
     if (has_hints && line.ends_with("mistake(s) in the case file"))
       continue; // which the user does not have
-    for (const CaseOption& option : option_rows()) {
+    for (const input::CaseOption& option : input::case_options()) {
       const std::string key(option.key);
       const std::string name(option.name);
       if (has(option.name) && line.find(key + " = \"") != line.npos)
@@ -357,8 +276,7 @@ std::string CaseOptions::with_options(const std::string& refusal,
         line += option.name == "--youngs-modulus"
                     ? "; please add --contact-modulus \"2 GPa\", or "
                       "--youngs-modulus \"2 GPa\" with --poisson-ratio 0.3"
-                    : fmt::format("; please add {} {}", name,
-                                  written(option.example));
+                    : "; please add " + option.with(option.example);
     }
     if (has_hints) {
       replace_text(line, "the case of the map: ", "");

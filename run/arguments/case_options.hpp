@@ -1,39 +1,24 @@
 #pragma once
 
-// The options of the command line that stand for keys of a case, in one list
-// that all commands on cases and maps share.
+// The values that a command line gives to the options that stand for keys of a
+// case (input/case_options.hpp), as entries of the case.
+
+#include "input/case_options.hpp"
 
 #include <map>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace asperity::run {
-
-/// What an option describes: the reading of a map, the elastic bodies, the
-/// loads, or an effect besides elastic contact.
-enum class OptionGroup { map, body, load, effect };
-
-/// An option that stands for a key of a case. Unit, range and allowed words are
-/// those of the key, whose reader checks the value.
-struct CaseOption {
-  OptionGroup group;
-  std::string_view name;    ///< "--youngs-modulus"
-  std::string_view key;     ///< "material.youngs_modulus"
-  std::string_view value;   ///< how help names the value: "Q"
-  std::string_view example; ///< "2 GPa"
-  std::string help;         ///< lines of at most 52 characters
-};
-
-/// All options, in the order of the help.
-std::span<const CaseOption> case_options();
 
 /// What is run with the options.
 struct AskedOf {
   bool are_maps = false;       ///< cases that the program makes for maps
   bool has_free_edges = false; ///< only loads by pressure can be prescribed
+  /// Only the options of this group are read.
+  std::optional<input::OptionGroup> group = {};
 };
 
 /// The values that a user gives to the options.

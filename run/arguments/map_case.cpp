@@ -185,10 +185,8 @@ std::string map_case_text(const fs::path& file,
 mechanics::SurfaceSpec map_surface(const std::string& file,
                                    const CaseOptions& options,
                                    const std::vector<std::string>& overrides) {
-  std::vector<std::string> entries;
-  for (std::string& entry : options.overrides({.are_maps = true}))
-    if (entry.starts_with("surface"))
-      entries.push_back(std::move(entry));
+  std::vector<std::string> entries =
+      options.overrides({.are_maps = true, .group = input::OptionGroup::map});
   entries.emplace_back("material.contact_modulus=1.0");
   std::vector<std::string> of_surface;
   for (const std::string& entry : overrides)
@@ -200,10 +198,8 @@ mechanics::SurfaceSpec map_surface(const std::string& file,
 }
 
 std::optional<double> contact_modulus_of(const CaseOptions& options) {
-  std::vector<std::string> entries;
-  for (std::string& entry : options.overrides({.are_maps = true}))
-    if (entry.starts_with("material"))
-      entries.push_back(std::move(entry));
+  const std::vector<std::string> entries =
+      options.overrides({.are_maps = true, .group = input::OptionGroup::body});
   if (entries.empty())
     return std::nullopt;
   try {
@@ -217,7 +213,7 @@ std::optional<double> contact_modulus_of(const CaseOptions& options) {
 
 bool is_of_a_map(const std::string& refusal) {
   return refusal.starts_with("surface.") ||
-         std::ranges::any_of(std::array{"surface.missing_value",
+         std::ranges::any_of(std::array{"--missing-value",
                                         "surface.max_missing", "surface.fill",
                                         "surface.cut_off"},
                              [&](const char* key) {

@@ -4,6 +4,7 @@
 #include "input/input_error.hpp"
 #include "input/reader/base_case.hpp"
 #include "input/reader/read_case.hpp"
+#include "input/refusals.hpp"
 #include "input/text/toml_text.hpp"
 #include "reports/pages/paper_report.hpp"
 #include "reports/sweeps/sweep_record.hpp"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -63,31 +65,26 @@ bool has_loads(const std::vector<std::string>& entries) {
   });
 }
 
-/// Collects the refusals of several works, to be thrown at once.
-class RefusalList {
-public:
-  template <class Work>
-  void of(const Work& work) {
-    try {
-      work();
-    } catch (const input::InputError& error) {
-      std::string text = error.what();
-      while (text.ends_with('\n'))
-        text.pop_back();
-      refusals_ += (refusals_.empty() ? "" : "\n") + text;
-    }
+/// The entries that stand for the options. A refused option does not hide what
+/// else is refused.
+std::vector<std::string> entries_of(const CaseOptions& options, AskedOf asked,
+                                    input::Refusals& refusals) {
+  using enum input::OptionGroup;
+  std::vector<std::string> entries;
+  for (const input::OptionGroup group : {map, body, load, effect}) {
+    asked.group = group;
+    refusals.of([&] {
+      std::ranges::move(options.overrides(asked), std::back_inserter(entries));
+    });
   }
+  return entries;
+}
 
-  bool empty() const { return refusals_.empty(); }
-
-  void throw_if_any(const CaseOptions& options) const {
-    if (!refusals_.empty())
-      throw input::InputError(options.with_options(refusals_, true));
-  }
-
-private:
-  std::string refusals_;
-};
+void throw_if_any(const input::Refusals& refusals, const CaseOptions& options,
+                  bool has_hints) {
+  if (!refusals.empty())
+    throw input::InputError(options.with_options(refusals.text(), has_hints));
+}
 
 /// The entries of the case of maps that stand for options, with loads.
 /// @param made  path of the case that is made, for refusals
@@ -102,30 +99,25 @@ entries_of_maps(NamedMaps& maps, const std::vector<std::string>& overrides,
         return entry == "surface.edges=free" ||
                entry == "surface.edges=\"free\"";
       });
-  RefusalList refusals;
-  std::vector<std::string> entries;
+  input::Refusals refusals;
+  std::vector<std::string> entries = entries_of(
+      options, {.are_maps = true, .has_free_edges = has_free_edges}, refusals);
   cases::Case first;
   std::pair<double, double> slopes;
-  refusals.of([&] {
-    entries =
-        options.overrides({.are_maps = true, .has_free_edges = has_free_edges});
-  });
-  if (refusals.empty()) {
-    std::optional<mechanics::SurfaceSpec> surface;
-    try {
-      surface = map_surface(maps.files.front().string(), options, overrides);
-    } catch (const input::InputError&) { // refused below
-    }
-    refusals.of([&] {
-      first = without_lines_of(made, [&] {
-        return cases::read_case_text(map_case_text(maps.files.front(), entries),
-                                     made.string(), overrides);
-      });
-    });
-    if (surface)
-      refusals.of([&] { slopes = examine_maps(maps, *surface); });
+  std::optional<mechanics::SurfaceSpec> surface;
+  try {
+    surface = map_surface(maps.files.front().string(), options, overrides);
+  } catch (const input::InputError&) { // refused above or below
   }
-  refusals.throw_if_any(options);
+  refusals.of([&] {
+    first = without_lines_of(made, [&] {
+      return cases::read_case_text(map_case_text(maps.files.front(), entries),
+                                   made.string(), overrides);
+    });
+  });
+  if (surface)
+    refusals.of([&] { slopes = examine_maps(maps, *surface); });
+  throw_if_any(refusals, options, true);
   if (has_loads(overrides) || has_loads(entries))
     return entries;
   const double modulus = first.material.contact_modulus;
@@ -158,20 +150,11 @@ NamedSweep read_sweep_called(const FoundCase& found,
 
 std::vector<std::string>
 with_overrides_of(const CaseOptions& options,
-                  const std::vector<std::string>& overrides) {
-  std::vector<std::string> all = options.overrides({});
+                  const std::vector<std::string>& overrides,
+                  input::Refusals& refusals) {
+  std::vector<std::string> all = entries_of(options, {}, refusals);
   all.insert(all.end(), overrides.begin(), overrides.end());
   return all;
-}
-
-/// Reads a case; a refusal of the key of an option names the option.
-template <class Work>
-auto named_by_options(const CaseOptions& options, const Work& read) {
-  try {
-    return read();
-  } catch (const input::InputError& error) {
-    throw input::InputError(options.with_options(error.what(), false));
-  }
 }
 
 /// The file that an argument stands for, however it is written.
@@ -308,13 +291,16 @@ NamedCases read_named_cases_or_sweep(const std::string& word,
   if (is_map_file(word))
     return read_named_cases(word, overrides, is_quick, options);
   FoundCases found = find_cases(word);
-  const std::vector<std::string> all = with_overrides_of(options, overrides);
+  input::Refusals refusals;
+  const std::vector<std::string> all =
+      with_overrides_of(options, overrides, refusals);
   if (!found.collection.empty() ||
       !cases::is_sweep(found.cases.front().file.string(), all))
     return read_named_cases(word, overrides, is_quick, options);
-  NamedSweep sweep = named_by_options(options, [&] {
-    return read_sweep_called(found.cases.front(), all, is_quick);
-  });
+  NamedSweep sweep;
+  refusals.of(
+      [&] { sweep = read_sweep_called(found.cases.front(), all, is_quick); });
+  throw_if_any(refusals, options, false);
   return {std::move(found), {}, std::move(sweep)};
 }
 
@@ -326,12 +312,14 @@ NamedCases read_named_cases(const std::string& word,
     return read_maps(map, overrides, options);
   }
   NamedCases named{find_cases(word), {}};
-  const std::vector<std::string> all = with_overrides_of(options, overrides);
-  named_by_options(options, [&] {
+  input::Refusals refusals;
+  const std::vector<std::string> all =
+      with_overrides_of(options, overrides, refusals);
+  refusals.of([&] {
     for (const FoundCase& found : named.found.cases)
       named.cases.push_back(read_with_reference(found, all, is_quick));
-    return true;
   });
+  throw_if_any(refusals, options, false);
   return named;
 }
 

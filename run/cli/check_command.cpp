@@ -33,6 +33,7 @@ struct CheckCommand {
   std::string junit;                ///< file for JUnit XML; empty: none
   std::string out;                  ///< as in RunCommand
   std::vector<std::string> methods;
+  run::CaseOptions options = {};      ///< of maps, bodies, loads and effects
   std::vector<std::string> overrides; ///< "key.path=value"
   bool is_quick = false;              ///< apply quick.set of each case
   int threads = 0;
@@ -57,13 +58,15 @@ void require_junit_folder(const std::string& junit) {
 
 /// Throws if an option for cases was given and no target is a case.
 void require_a_case(const CheckCommand& command) {
-  const char* option = !command.methods.empty()     ? "--methods"
-                       : !command.overrides.empty() ? "--set"
-                       : command.is_quick           ? "--quick"
-                       : !command.out.empty()       ? "--out"
-                                                    : nullptr;
-  if (option != nullptr)
-    throw input::InputError(std::string(option) +
+  const std::vector<std::string> words = command.options.words();
+  const std::string option = !command.methods.empty()     ? "--methods"
+                             : !words.empty()             ? words.front()
+                             : !command.overrides.empty() ? "--set"
+                             : command.is_quick           ? "--quick"
+                             : !command.out.empty()       ? "--out"
+                                                          : "";
+  if (!option.empty())
+    throw input::InputError(option +
                             " applies to cases, which are run, but each target "
                             "is a result");
 }
@@ -87,7 +90,7 @@ public:
           throw input::InputError(target + ": there is no such file");
         if (!run::is_result(target) && !is_sweep_folder(target)) {
           read.push_back(run::read_named_cases_or_sweep(
-              target, command_.overrides, command_.is_quick));
+              target, command_.overrides, command_.is_quick, command_.options));
           words.push_back(target);
         }
       });
@@ -263,6 +266,7 @@ void add_check(CommandLine& line) {
                       "write the outcome to this file as JUnit XML,\n"
                       "however the command ends");
   add_methods(command, check.methods);
+  add_case_options(command, check.options);
   add_overrides(command, check.overrides);
   command->add_option("--out", check.out,
                       "output folder (default: out/<case>)");

@@ -3,6 +3,7 @@
 // The command line while it is described: its commands, and the options that
 // several of them share.
 
+#include "input/case_options.hpp"
 #include "run/arguments/case_options.hpp"
 #include "run/exit_code.hpp"
 #include "run/output.hpp"
@@ -68,18 +69,18 @@ inline void add_overrides(CLI::App* command,
 }
 
 /// Adds the options that stand for keys of a case.
-inline void add_case_options(CLI::App* command, run::CaseOptions& options,
-                             std::initializer_list<run::OptionGroup> groups = {
-                                 run::OptionGroup::map, run::OptionGroup::body,
-                                 run::OptionGroup::load,
-                                 run::OptionGroup::effect}) {
-  for (const run::CaseOption& option : run::case_options())
+inline void
+add_case_options(CLI::App* command, run::CaseOptions& options,
+                 std::initializer_list<input::OptionGroup> groups = {
+                     input::OptionGroup::map, input::OptionGroup::body,
+                     input::OptionGroup::load, input::OptionGroup::effect}) {
+  for (const input::CaseOption& option : input::case_options())
     if (std::ranges::find(groups, option.group) != groups.end())
       command
           ->add_option(std::string(option.name), options.place(option.name),
                        option.help)
           ->type_name(std::string(option.value))
-          ->multi_option_policy(option.group == run::OptionGroup::load
+          ->multi_option_policy(option.group == input::OptionGroup::load
                                     ? CLI::MultiOptionPolicy::Join
                                     : CLI::MultiOptionPolicy::Throw)
           ->delimiter(',')

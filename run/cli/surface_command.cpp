@@ -4,6 +4,7 @@
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
 #include "input/input_error.hpp"
+#include "input/refusals.hpp"
 #include "reports/analysis/summary.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/surface/surface_page.hpp"
@@ -214,12 +215,16 @@ void add_folder(const run::NamedMaps& maps,
 }
 
 reports::SurfaceReport analysed(const SurfaceCommand& command) {
+  input::Refusals refusals;
   std::optional<double> tip_radius;
   if (!command.tip_radius.empty())
-    tip_radius = run::positive_quantity("--tip-radius", command.tip_radius,
-                                        input::Dimension::length);
-  const std::optional<double> contact_modulus =
-      run::contact_modulus_of(command.options);
+    refusals.of([&] {
+      tip_radius = run::positive_quantity("--tip-radius", command.tip_radius,
+                                          input::Dimension::length);
+    });
+  std::optional<double> contact_modulus;
+  refusals.of(
+      [&] { contact_modulus = run::contact_modulus_of(command.options); });
   reports::SurfaceReport report;
   const auto add = [&](const std::string& word) {
     SurfaceInput input = read_surface_input(word, command);
@@ -232,11 +237,14 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
     }
   };
   for (const std::string& word : command.inputs)
-    if (const run::NamedMaps maps = run::maps_among({word});
-        !maps.folders.empty())
-      add_folder(maps, add);
-    else
-      add(word);
+    refusals.of([&] {
+      if (const run::NamedMaps maps = run::maps_among({word});
+          !maps.folders.empty())
+        add_folder(maps, add);
+      else
+        add(word);
+    });
+  refusals.throw_if_any();
   for (surfaces::MapAnalysis& map : report.maps)
     for (const surfaces::MapAnalysis& other : report.maps)
       limit_by_repeat(map.range, map.map, other.map, map.is_periodic);
@@ -327,7 +335,7 @@ void add_input_options(CLI::App* command, SurfaceCommand& surface) {
                     "a file continues at its edges; without this, a\n"
                     "window is used for the spectrum");
   add_case_options(command, surface.options,
-                   {run::OptionGroup::map, run::OptionGroup::body});
+                   {input::OptionGroup::map, input::OptionGroup::body});
   add_overrides(command, surface.overrides);
   command->add_flag("--channels", surface.lists_channels,
                     "list the channels of the files and end");

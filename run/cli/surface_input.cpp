@@ -122,7 +122,8 @@ SurfaceInput file_input(const std::string& file,
 
 SurfaceInput case_input(const std::string& word,
                         const SurfaceCommand& command) {
-  const run::NamedCases named = run::read_named_cases(word, command.overrides);
+  const run::NamedCases named =
+      run::read_named_cases(word, command.overrides, false, command.options);
   if (named.cases.size() != 1)
     throw input::InputError(
         fmt::format("{} is a collection; name one of its parts", word));

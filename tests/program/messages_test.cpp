@@ -214,6 +214,9 @@ TEST_F(Messages, AMapNeedsAContactModulusAndACaseTakesAnother) {
   const Ended with_case =
       run("run small.toml --contact-modulus '2 GPa' --dry-run");
   EXPECT_EQ(with_case.exit_code, 0) << with_case.output;
+  EXPECT_EQ(run("run map.asc --contact-modulus '2 GPa' --friction .5 --dry-run")
+                .exit_code,
+            0);
   const Ended unit = run("run map.asc --contact-modulus '2 GPb'");
   EXPECT_EQ(unit.exit_code, 2);
   EXPECT_TRUE(says(unit, "--contact-modulus = \"2 GPb\" has the unknown unit"))
@@ -228,6 +231,37 @@ TEST_F(Messages, AMapNeedsAContactModulusAndACaseTakesAnother) {
             2);
   EXPECT_FALSE(std::filesystem::exists(folder / "plain"));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// A refused option does not hide what else is missing or wrong.
+TEST_F(Messages, AllRefusalsComeAtOnce) {
+  write("plain.asc", "1 2 3 1\n2 4 1 2\n5 2 2 1\n1 2 1 3\n");
+  write("small.toml", small_case);
+  const auto expect_all = [&](const std::string& words,
+                              const std::vector<std::string>& refusals) {
+    const Ended ended = run(words);
+    EXPECT_EQ(ended.exit_code, 2) << words;
+    for (const std::string& refusal : refusals)
+      EXPECT_TRUE(says(ended, refusal)) << refusal << "\n" << ended.output;
+  };
+  expect_all("run plain.asc --flow watr",
+             {"--flow = \"watr\" is no known fluid",
+              "please add --contact-modulus \"2 GPa\"",
+              "please add --length \"20 um\""});
+  expect_all("run small.toml --flow watr --contact-modulus 2",
+             {"--flow = \"watr\" is no known fluid",
+              "--contact-modulus = \"2\" has no unit"});
+  expect_all(
+      "run plain.asc --friction half --level flat --remove-spikes 2",
+      {"--friction = \"half\", but must be a number, as in --friction 0.5",
+       "--level", "--remove-spikes"});
+  expect_all("check small.toml --flow watr --contact-modulus 2",
+             {"--flow = \"watr\" is no known fluid",
+              "--contact-modulus = \"2\" has no unit"});
+  expect_all("surface plain.asc --contact-modulus 2 --length 3 --tip-radius 4",
+             {"--contact-modulus = \"2\" has no unit",
+              "--length = \"3\" has no unit",
+              "--tip-radius = \"4\" has no unit"});
 }
 
 TEST_F(Messages, UnknownCommandsAndOptionsAreBadInput) {

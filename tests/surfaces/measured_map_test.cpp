@@ -175,8 +175,7 @@ std::string mark_message(const mechanics::SurfaceSpec& surface,
                          const std::string& reason) {
   return surface.file + ": " + points + " point(s) have the number " + number +
          ", which " + reason +
-         " and probably marks missing points; surface.missing_value = " +
-         number +
+         " and probably marks missing points; --missing-value " + number +
          " takes it for that, and another value, such as 1e99, takes all "
          "numbers for heights";
 }
