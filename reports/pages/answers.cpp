@@ -117,7 +117,12 @@ mechanics::Roughness judged_roughness(const cases::Case& contact_case,
               {surface.map_grid(), results::MapView(heights).whole()})};
 }
 
-/// Whether the faces stick: the sentence of a method with adhesion, else "".
+/// Of the work of adhesion, that faces lose on the way in and back if they
+/// stick: without a jump the way back is the way there.
+constexpr double least_loss = 0.01;
+
+/// Whether the faces stick, by what a closed path loses and otherwise by the
+/// criterion: the sentence of a method with adhesion, else "".
 std::string adhesive_sentence(const ReportEntry& entry,
                               const results::MethodRecord& method) {
   const cases::Case& contact_case = *entry.contact_case;
@@ -132,17 +137,32 @@ std::string adhesive_sentence(const ReportEntry& entry,
   const double criterion = stickiness(
       *law, modulus, judged_roughness(contact_case, method, *surface));
   const bool is_judged = std::isfinite(criterion) && criterion > 0.0;
+  const auto number = [&](const char* name) {
+    const auto found = summary->quantities.find(name);
+    return found == summary->quantities.end() || !found->second.has_value()
+               ? not_a_number
+               : found->second.value;
+  };
+  const double lost = number("dissipated_energy");
   const auto tension = summary->quantities.find("pull_off_pressure");
   const bool is_known = tension != summary->quantities.end();
-  std::string words = is_judged && criterion >= 1.0 ? "It does not stick"
-                      : is_judged                   ? "It sticks"
-                                                    : "The faces attract";
+  std::string words =
+      std::isfinite(lost)
+          ? lost >= least_loss ? "It sticks" : "It does not stick"
+      : !is_judged       ? "The faces attract"
+      : criterion >= 1.0 ? "It does not stick"
+                         : "It sticks";
+  if (lost >= least_loss)
+    words += fmt::format(": {} % of the work of adhesion is lost on the way in "
+                         "and back",
+                         digits_text(100.0 * lost, 2));
+  const std::string joint = lost >= least_loss ? ", and" : ":";
   if (is_known && tension->second.has_value())
-    words += ": the largest tension is " +
+    words += joint + " the largest tension is " +
              pressure_in_pascal(tension->second.value * modulus);
   else if (is_known)
-    words +=
-        ": the largest tension is not known, because " + tension->second.remark;
+    words += joint + " the largest tension is not known, because " +
+             tension->second.remark;
   words += fmt::format(" (adhesion of {} mJ/m² over {}",
                        digits_text(1e3 * law->work_of_adhesion, 3),
                        quantity_text(law->adhesion_range, "m", 3));

@@ -60,11 +60,11 @@ std::size_t length_of(const Hdf5Group& curve) {
 }
 
 /// Returns a row with the default values of missing columns.
-CurvePoint blank_point(int step) {
+CurvePoint blank_point(int number) {
   CurvePoint point;
   for (const CurveColumn& column : curve_columns())
     column.set(point, column.blank());
-  point.step = step;
+  point.step = number;
   return point;
 }
 
