@@ -16,6 +16,7 @@ namespace asperity::fem {
 namespace {
 
 using dealii::Utilities::MPI::max;
+using dealii::Utilities::MPI::sum;
 
 /// Spring with which contact is first detected when no node is active, in shear
 /// moduli per node spacing.
@@ -62,6 +63,35 @@ ContactSet ActiveSet::next_active(const ContactSet& active,
   return next;
 }
 
+/// Shortens the step from `before` to the present state if more points touch in
+/// it than A may grow by.
+void ActiveSet::shorten_step(const ContactState::Placement& before,
+                             const ContactSet& active) {
+  constexpr double growth = 0.25;
+  constexpr int halvings = 10;
+  const auto n_touching = [&](double share) {
+    int touching = 0;
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      const double way = state_.rigid_gap - before.rigid_gap +
+                         state_.face_displacement[i] -
+                         before.face_displacement[i];
+      touching += !active[i] && state_.gap(i) - (1.0 - share) * way < 0.0;
+    }
+    return sum(touching, MPI_COMM_WORLD);
+  };
+  const int held = n_changed(active, ContactSet(active.size(), false));
+  const double most = std::max(1.0, growth * held);
+  if (n_touching(1.0) <= most)
+    return;
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (n_touching(middle) > most ? high : low) = middle;
+  }
+  state_.shorten_way(before, high);
+}
+
 bool ActiveSet::solve(const mechanics::LoadTarget& load,
                       const BlockContact& contact, double gap_tolerance,
                       BlockSolution& answer) {
@@ -93,11 +123,16 @@ bool ActiveSet::iterate(const mechanics::LoadTarget& load,
     }
     for (std::size_t i = 0; i < active.size(); ++i)
       state_.pressure[i] = active[i] ? state_.pressure[i] : 0.0;
+    std::optional<ContactState::Placement> start;
+    if (!state_.is_elastic())
+      start = state_.placement();
     if (!step_.take(load, no_springs, active,
                     iteration.accuracy_on_wall(steps))) {
       answer.note = "the linear solver did not converge";
       return false;
     }
+    if (start)
+      shorten_step(*start, active);
     take_pressure(active);
     ContactSet next = next_active(active, contact, gap_tolerance);
     const int changed = n_changed(next, active);
@@ -181,8 +216,6 @@ ContactStiffness contact_stiffness(const BlockSystem& system,
   found.linear_iterations = solver.iterations() - iterations;
   return found;
 }
-
-using dealii::Utilities::MPI::sum;
 
 ContactNewton::ContactNewton(const BlockSystem& system,
                              LinearSolver linear_solver,

@@ -20,7 +20,10 @@ namespace asperity::fem {
 ///     p = constraint force per area on A, 0 elsewhere,
 ///     A <- {c in A : p_c >= 0} + {c not in A : gap_c < 0},
 ///
-/// until A does not change and the forces balance.
+/// until A does not change and the forces balance. Points of a perfectly
+/// plastic block that are too few for the load have no such step: the approach
+/// grows without bound. Where the material flows, a step therefore ends where
+/// so many other points touch that A grows by a quarter.
 class ActiveSet {
 public:
   /// Both must outlive this object.
@@ -38,6 +41,8 @@ private:
   bool iterate(const mechanics::LoadTarget& load, const BlockContact& contact,
                double gap_tolerance, BlockSolution& answer);
   void take_pressure(const ContactSet& active);
+  void shorten_step(const ContactState::Placement& before,
+                    const ContactSet& active);
   ContactSet next_active(const ContactSet& active, const BlockContact& contact,
                          double gap_tolerance) const;
 

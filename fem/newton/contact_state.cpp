@@ -164,6 +164,17 @@ void ContactState::return_to(const Placement& placement) {
     follow_displacement();
 }
 
+void ContactState::shorten_way(const Placement& before, double share) {
+  displacement.sadd(share, 1.0 - share, before.displacement);
+  elastic.sadd(share, 1.0 - share, before.elastic);
+  for (std::size_t i = 0; i < face_displacement.size(); ++i)
+    face_displacement[i] +=
+        (1.0 - share) * (before.face_displacement[i] - face_displacement[i]);
+  rigid_gap += (1.0 - share) * (before.rigid_gap - rigid_gap);
+  if (material_)
+    follow_displacement();
+}
+
 double ContactState::stress_work(const Placement& before, const Vector& step,
                                  double share) {
   Vector there(before.displacement);

@@ -118,6 +118,9 @@ struct ContactState {
   Placement placement() const;
   void return_to(const Placement& placement);
 
+  /// Goes back to a share of the way from a placement.
+  void shorten_way(const Placement& before, double share);
+
   /// The work of the stress per share of a step [N m], at a share of the step.
   double stress_work(const Placement& before, const Vector& step, double share);
 

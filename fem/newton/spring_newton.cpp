@@ -368,14 +368,7 @@ void SpringNewton::shorten_step(const ContactState::Placement& before,
     const double middle = 0.5 * (low + high);
     (derivative(middle) > 0.0 ? high : low) = middle;
   }
-  state_.displacement.sadd(high, 1.0 - high, before.displacement);
-  state_.elastic.sadd(high, 1.0 - high, before.elastic);
-  for (std::size_t i = 0; i < state_.face_displacement.size(); ++i)
-    state_.face_displacement[i] += (1.0 - high) * (before.face_displacement[i] -
-                                                   state_.face_displacement[i]);
-  state_.rigid_gap += (1.0 - high) * (before.rigid_gap - state_.rigid_gap);
-  if (state_.material() != nullptr)
-    state_.follow_displacement();
+  state_.shorten_way(before, high);
 }
 
 /// Finds the nominal pressure whose solution has the prescribed mean gap [m],
