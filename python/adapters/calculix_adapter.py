@@ -29,17 +29,23 @@ def rows(values):
                    for row in values)  # CalculiX reads at most 20 characters of a number
 
 
-def block(mesh):
-    """Nodes, cells, materials, periodic sides and the springs, without their stiffness."""
+NEVER = "1e9,0\n2e9,1\n"  # an elastic step would be solved once, with open gaps
+
+
+def block(mesh, flow=NEVER):
+    """Nodes, cells, materials, periodic sides and the springs, without their stiffness.
+
+    `flow` has the rows of *PLASTIC: yield stress [E*] and equivalent plastic strain.
+    """
     number = 1 + np.arange(len(mesh.nodes)).reshape(mesh.shape)
     face, (points_y, points_x) = number[0, :-1, :-1].ravel(), mesh.heights.shape
     rigid, cells = number.size + 3 + np.arange(face.size), sum(len(g[1]) for g in mesh.groups)
     text = "*NODE\n" + rows((i, *map(float, at)) for i, at in enumerate(mesh.nodes, start=1))
     text += f"*NODE\n{number.size + 1},0,0,-1\n{number.size + 2},0,0,-2\n*NODE,NSET=rigid\n"
     text += rows((i, *map(float, mesh.nodes[at - 1])) for i, at in zip(rigid, face))
-    for name, cell, modulus, ratio in mesh.groups:  # plastic: otherwise it would be solved once,
-        text += f"*ELEMENT,TYPE={GIVEN.element},ELSET={name}\n" + rows(cell)  # with open gaps
-        text += f"*MATERIAL,NAME={name}\n*ELASTIC\n{modulus:.12e},{ratio}\n*PLASTIC\n1e9,0\n2e9,1\n"
+    for name, cell, modulus, ratio in mesh.groups:
+        text += f"*ELEMENT,TYPE={GIVEN.element},ELSET={name}\n" + rows(cell)
+        text += f"*MATERIAL,NAME={name}\n*ELASTIC\n{modulus:.12e},{ratio}\n*PLASTIC\n{flow}"
         text += f"*SOLID SECTION,ELSET={name},MATERIAL={name}\n"
     text += "*ELEMENT,TYPE=GAPUNI,ELSET=gaps\n" + rows(
         (cells + 1 + i, rigid[i], face[i]) for i in range(face.size))
@@ -56,6 +62,15 @@ def block(mesh):
     bound = f"fixed,{fixed[0]},3\nrigid,1,2\n{number.size + 1},1,2\n{number.size + 2},1,2\n"
     bound += f"{number.size + 2},3,3,1\n" + (f"{number[-1, 0, 0]},1,2\n" if len(fixed) < 3 else "")
     return text, bound, number.size + 1
+
+
+def printed(answer):
+    """The last columns of the tables of a .dat file, by quantity and set, a list over time."""
+    tables = {}
+    for key, lines in re.findall(r"(\S.*set \S+ and time .*)\n\n((?: +\d.*\n)+)", answer):
+        tables.setdefault(key.split()[0] + key.split("set ")[1].split()[0], []).append(
+            np.array([line.split()[-1] for line in lines.splitlines()], dtype=float))
+    return tables
 
 
 def prepare(problem):
@@ -83,9 +98,7 @@ def prepare(problem):
             log, cpu_time, memory = meshed.run(["ccx", "block"], folder, GIVEN)
             answer = (folder / "block.dat").read_text(encoding="utf-8")
             table = np.loadtxt(folder / "block.sta", skiprows=2, usecols=3, dtype=int, ndmin=1)
-        values = {key.split()[0] + key.split("set ")[1].split()[0]: np.loadtxt(
-            lines.splitlines(), usecols=3) for key, lines in re.findall(
-                r"(\S.*set \S+ and time .*)\n\n((?: +\d.*\n)+)", answer)}
+        values = {name: tables[-1] for name, tables in printed(answer).items()}
         force = values["forcesRIGID"]
         gap = values["displacementsFACE"] - values["displacementsRIGID"]
         if "iteration 2" not in log or abs(force.sum() / load - 1) > 1e-5:
