@@ -14,8 +14,8 @@
 
 namespace asperity::fem {
 
-/// The states of all quadrature points of a block of second-order hexahedra
-/// under a material law. The stress at a displacement follows from the states
+/// The states of all quadrature points of a block of hexahedra under a material
+/// law. The stress at a displacement follows from the states
 /// at the end of the last load step. Cells on other ranks that this rank
 /// borders on are followed, too, so that no state is exchanged. Calls are
 /// collective, except subtract_from().

@@ -27,7 +27,8 @@ struct PointTangent {
   std::array<double, 6> softening{};
 };
 
-/// A cell of second-order hexahedra with tangents of its own.
+/// A hexahedron with tangents of its own; one of first order has the first
+/// eight points.
 struct CellTangents {
   std::size_t cell = 0;
   std::array<PointTangent, points_in_hexahedron> points; ///< x fastest

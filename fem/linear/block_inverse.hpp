@@ -40,7 +40,8 @@ public:
   /// Replaces the moduli of some cells of this rank by tangents, and gives all
   /// others their moduli again. The preconditioner stays elastic.
   /// @param cells  in the order of the active cells of this rank, each once
-  /// @throws std::logic_error  the cells are no second-order hexahedra
+  /// @throws std::logic_error  the cells are neither second-order hexahedra nor
+  /// boxes
   virtual void set_tangents(std::span<const CellTangents> cells);
 
   /// Factor on the relative tolerance of the systems of a Newton step, below 1

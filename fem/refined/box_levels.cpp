@@ -117,13 +117,39 @@ void BoxOperator<Number>::add_cells(const Number* displacement, Number* force,
   product.kinds = kinds_.data();
   product.factor = factor;
   multiply_boxes(product);
+  for (const FlowingBox& box : flowing_)
+    add_flow(box, displacement, force, static_cast<double>(factor));
+}
+
+template <class Number>
+void BoxOperator<Number>::set_tangents(std::span<const CellTangents> cells) {
+  flowing_.clear();
+  flowing_.reserve(cells.size());
+  for (const CellTangents& cell : cells) {
+    FlowingBox& box = flowing_.emplace_back();
+    std::copy_n(nodes_->begin() +
+                    static_cast<std::ptrdiff_t>(cell.cell * nodes_in_box),
+                nodes_in_box, box.nodes.begin());
+    const auto number = [&](std::size_t i) {
+      return static_cast<double>(
+          boxes_[(kinds_.at(cell.cell / boxes_in_group) * numbers_in_box + i) *
+                     boxes_in_group +
+                 cell.cell % boxes_in_group]);
+    };
+    box.edges = {number(0), number(1), number(2)};
+    std::copy_n(cell.points.begin(), nodes_in_box, box.change.begin());
+    for (PointTangent& point : box.change) {
+      point.lame -= number(3);
+      point.shear -= number(4);
+    }
+  }
 }
 
 template <class Number>
 std::size_t BoxOperator<Number>::bytes() const {
   const std::size_t nodes = std::is_same_v<Number, float> ? nodes_->size() : 0;
   return (nodes + kinds_.size()) * sizeof(std::uint32_t) +
-         boxes_.size() * sizeof(Number);
+         boxes_.size() * sizeof(Number) + flowing_.size() * sizeof(FlowingBox);
 }
 
 template class BoxOperator<float>;

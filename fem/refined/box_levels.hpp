@@ -5,6 +5,7 @@
 
 #include "fem/multigrid/box_grid.hpp"
 #include "fem/multigrid/mesh_operator.hpp"
+#include "fem/refined/box_flow.hpp"
 #include "fem/refined/box_kernel.hpp"
 #include "fem/refined/mesh_plan.hpp"
 
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace asperity::fem {
@@ -49,6 +51,9 @@ public:
 
   explicit BoxOperator(const BoxMesh& mesh);
 
+  /// As HexahedronOperator::set_tangents, of which a box has the first eight.
+  void set_tangents(std::span<const CellTangents> cells);
+
   /// The nodes are counted in single precision only, because the operator in
   /// double precision shares them.
   std::size_t bytes() const override;
@@ -60,6 +65,7 @@ private:
   SharedNodes nodes_;
   std::vector<Number> boxes_;        ///< of the groups that differ
   std::vector<std::uint32_t> kinds_; ///< of each group, its place in boxes_
+  std::vector<FlowingBox> flowing_;
 };
 
 extern template class BoxOperator<float>;

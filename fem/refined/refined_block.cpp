@@ -148,6 +148,16 @@ std::vector<bool> free_nodes(const LocalUnknowns& unknowns) {
   return is_free;
 }
 
+/// First-order boxes.
+class BoxBlock final : public MeshBlock {
+public:
+  using MeshBlock::MeshBlock;
+
+  void set_tangents(std::span<const CellTangents> cells) override {
+    static_cast<BoxOperator<double>&>(stiffness()).set_tangents(cells);
+  }
+};
+
 BoxMesh box_mesh_of(const BlockProblem& problem, const BlockSystem& system,
                     const LocalUnknowns& unknowns) {
   const BoxGrid box_grid = *coarsest_box_grid(problem);
@@ -218,9 +228,9 @@ std::unique_ptr<BlockInverse> refined_block_of(const BlockProblem& problem,
   if (problem.degree == 1) {
     const BoxMesh mesh = box_mesh_of(problem, system, *unknowns);
     const MeshUnits units = units_of(mesh);
-    return std::make_unique<MeshBlock>(system, unknowns,
-                                       stiffness_of<BoxOperator>(mesh, units),
-                                       correction(units));
+    return std::make_unique<BoxBlock>(system, unknowns,
+                                      stiffness_of<BoxOperator>(mesh, units),
+                                      correction(units));
   }
   const HexahedronMesh mesh = hexahedron_mesh(system, *unknowns);
   return std::make_unique<HexahedronBlock>(system, unknowns, mesh,

@@ -38,13 +38,13 @@ const BlockProblem& checked(const BlockProblem& problem) {
       !is_same_length(problem.mesh.length_y, problem.grid.length_y))
     refuse_argument("length of the mesh", problem.mesh.length_x,
                     "that of the surface");
-  if (problem.law &&
-      (problem.degree != 2 || problem.counter || problem.adaptive ||
-       problem.mesh.shape != meshes::CellShape::hexahedron))
+  if (problem.law && (problem.counter || problem.adaptive ||
+                      problem.mesh.shape != meshes::CellShape::hexahedron ||
+                      (problem.degree != 2 && !is_refined_block(problem))))
     throw std::domain_error(
         "a block with a yield stress or another material law must be one body "
-        "of second-order "
-        "hexahedra on a mesh that does not follow the contact");
+        "of second-order hexahedra, or of first-order boxes, on a mesh that "
+        "does not follow the contact");
   return problem;
 }
 

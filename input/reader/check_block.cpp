@@ -111,6 +111,11 @@ void check_flow(const Node& file, const Case& read, const MethodSpec& method,
       fem.full.uses_case_mesh &&
           read.mesh.kind == mechanics::MeshKind::adaptive,
       "cannot be combined with mesh.kind = \"adaptive\"; use \"hanging\"");
+  refuse_if(fem.block.element == mechanics::Element::q1 &&
+                fem.full.uses_case_mesh &&
+                read.mesh.kind == mechanics::MeshKind::gmsh,
+            "needs element = \"Q2\" on this mesh: first-order cells that "
+            "flow must be boxes");
 }
 
 /// What a full block cannot combine.

@@ -72,9 +72,6 @@ void refuse_flow(TableReader& table, const mechanics::FemSettings& fem) {
     if (fem.full.yield_stress && is_refused)
       table.refuse(table.said_by("yield_stress"), why);
   };
-  refuse_if(fem.block.element == mechanics::Element::q1,
-            "needs element = \"Q2\": first-order cells lock, because plastic "
-            "flow keeps their volume");
   refuse_if(fem.full.bodies == 2, "cannot be combined with bodies = 2");
   refuse_if(fem.full.has_stiffness, "cannot be combined with stiffness = true");
   refuse_if(fem.full.linear_solver == mechanics::LinearSolver::direct,

@@ -224,9 +224,9 @@ std::vector<Key> flow_keys() {
           {Dimension::pressure,
            positive(),
            {mechanics::ReferenceUnit::contact_modulus}},
-          "With solver = \"full\" and element = \"Q2\": the stress in uniaxial "
-          "tension at which the block begins to flow (von Mises); needs one "
-          "body of hexahedra and loads by nominal pressure.",
+          "With solver = \"full\": the stress in uniaxial tension at which the "
+          "block begins to flow (von Mises); needs one body of second-order "
+          "hexahedra or first-order boxes, and loads by nominal pressure.",
           eg("0.005 E*", "default: the block is elastic")),
       key<&FullBlock::hardening_modulus>(
           "hardening_modulus",

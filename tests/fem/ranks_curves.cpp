@@ -192,6 +192,16 @@ void print_halved() {
   }
 }
 
+/// Boxes that flow, the first ones of first order.
+void print_flow() {
+  for (const int degree : {1, 2}) {
+    BlockProblem problem = boxes_problem(grid, degree, body, 1e-6);
+    problem.law = j2_plasticity(3e6, 0.0);
+    print_curve(degree == 1 ? "flow" : "flow2", problem,
+                mechanics::ContactLaw::hard);
+  }
+}
+
 /// A counter-body of second-order hexahedra.
 void print_pairs() {
   BlockProblem problem = on_column(2);
@@ -214,6 +224,7 @@ void print_matrix_free() {
   print_adaptive("adaptive", 2, mechanics::BlockSides::periodic);
   print_adaptive("first-order", 1, mechanics::BlockSides::free);
   print_halved();
+  print_flow();
   print_pairs();
 }
 

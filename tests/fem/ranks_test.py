@@ -45,7 +45,7 @@ def main(program, mpirun, *numbers):
     assert not list(differences(sample, sample)), "cannot pass"
 
     one, notes_of_one = curves([program])
-    assert len(one) == 61, f"{len(one)} rows"
+    assert len(one) == 65, f"{len(one)} rows"
     assert all("1 rank" in note for note in notes_of_one), notes_of_one
     n_found = 0
     # Three ranks share the rows of a box_grid. Five ranks have too few of them.
