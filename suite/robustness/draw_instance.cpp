@@ -42,6 +42,7 @@ struct Problem {
   double counter_radius = 0.4; ///< [length]
   std::string edges = "periodic";
   bool by_pressure = true;
+  double load = 0.0;    ///< the first pressure [E* h'], or gap [h_rms]
   double tension = 0.0; ///< smallest pressure of a law with adhesion [Pa] <= 0
 
   bool is(std::initializer_list<const char*> families) const {
@@ -524,6 +525,7 @@ void draw_load(Draft& draft, Problem& problem) {
       : !problem.by_pressure       ? draft.number("gap", 1e-3, 4.0)
       : draft.coin("load")         ? draft.number("load", 1e-9, 100.0)
                                    : draft.number("load", 1e-3, 10.0);
+  problem.load = load;
   std::vector<std::string> targets;
   for (const double step : steps_of(program, problem.by_pressure))
     targets.push_back(
@@ -539,6 +541,27 @@ void draw_load(Draft& draft, Problem& problem) {
     draft.set("load.spring", quantity(draft.log_uniform("spring", 1e-2, 1e4) *
                                           std::numbers::pi / problem.points,
                                       "E*/h"));
+}
+
+/// A quarter of the full blocks that can flow do, from contacts that hardly do
+/// to those that all do. A block with free sides carries no more than its yield
+/// stress, and all of it flows far beyond this stress between periodic ones.
+void draw_flow(Draft& draft, const Problem& problem) {
+  const bool is_possible = problem.family == "full-block" &&
+                           draft.base() == nullptr &&
+                           problem.counter == "none" && problem.by_pressure &&
+                           problem.mesh != "adaptive" &&
+                           (problem.mesh != "gmsh" || problem.degree == 2) &&
+                           problem.poisson_ratio < 0.49;
+  if (!is_possible ||
+      draft.word("material-law", {{"elastic", 3.0}, {"plastic", 1.0}}) ==
+          "elastic")
+    return;
+  const double least =
+      (draft.has_label("sides", "free") ? 4.0 : 1.0) * problem.load;
+  const double ratio =
+      std::max(least, draft.log_uniform("yield_stress", 0.1, 10.0));
+  draft.set("fem.yield_stress", quantity(ratio * problem.rms_slope, "E*"));
 }
 
 /// A process and a result file cost as much as some hundred problems. Studies
@@ -584,13 +607,15 @@ void draw_relation(Draft& draft, const Problem& problem) {
   if (!problem.is_continuum() || draft.has_label("family", "flawed"))
     return;
   const double units = is_full || draft.base() != nullptr ? 0.0 : 1.0;
+  const bool flows =
+      draft.has_label("material-law", "plastic"); // no direct solver
   const std::string relation =
       draft.word("metamorphic pair",
-                 {{"none", is_full ? 0.0 : 1.0},
+                 {{"none", is_full && !flows ? 0.0 : 1.0},
                   {"binary-units", units},
                   {"decimal-units", problem.is_adhesive() ? 0.0 : units},
                   {"threads", is_full ? 0.0 : 1.0},
-                  {"direct-solver", is_full ? 1.0 : 0.0}});
+                  {"direct-solver", is_full && !flows ? 1.0 : 0.0}});
   int threads = std::stoi(draft.word("threads", equally({"1", "2", "3"})));
   if (relation == "threads" && threads == 1) {
     threads = 3;
@@ -628,6 +653,7 @@ Instance draw_instance(std::uint64_t seed, int index, const Base* base,
   if (problem.family == "theory" && base == nullptr)
     draft.set("theory.gamma", number(draft.log_uniform("gamma", 0.01, 1.0)));
   draw_load(draft, problem);
+  draw_flow(draft, problem);
   draw_surface(draft, problem);
   draw_edges(draft, problem);
   draw_path(draft, problem);

@@ -77,6 +77,7 @@ const std::vector<Axis>& axes() {
       of_numbers("growth"),
       {"element", {"Q1", "Q2"}},
       {"coating", {"softer", "none", "stiffer"}},
+      {"material-law", {"elastic", "plastic"}},
       {"metamorphic pair",
        {"none", "binary-units", "decimal-units", "threads", "direct-solver"}},
       {"flaw", flaw_names()},

@@ -189,6 +189,7 @@ std::optional<Failure> verify_contact(const AskedContact& asked,
 std::optional<Failure> verify_row(const results::CurvePoint& row) {
   const double rounding = 1e-12;
   const bool is_adhesive = std::isfinite(row[columns::adhesive_energy]);
+  const bool flows = std::isfinite(row[columns::plastic_strain]);
   for (const Ranged& number :
        {Ranged{"nominal_pressure", row.nominal_pressure,
                is_adhesive ? -infinity : 0.0, infinity},
@@ -201,7 +202,12 @@ std::optional<Failure> verify_row(const results::CurvePoint& row) {
         Ranged{"area_fraction_moment", row[columns::area_fraction_moment], 0.0,
                1.0, true},
         Ranged{"contact_perimeter", row.contact_perimeter, 0.0, infinity, true},
-        Ranged{"elastic_energy", row.elastic_energy, -infinity, infinity},
+        Ranged{"elastic_energy", row.elastic_energy, -infinity, infinity,
+               flows},
+        Ranged{"plastic_strain", row[columns::plastic_strain], 0.0, infinity,
+               !flows},
+        Ranged{"plastic_work", row[columns::plastic_work], 0.0, infinity,
+               !flows},
         Ranged{"contact_energy", row.contact_energy, 0.0, infinity},
         Ranged{"residual", row.residual, 0.0, infinity},
         Ranged{"iterations", static_cast<double>(row.iterations), 0.0,
