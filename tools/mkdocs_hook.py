@@ -23,7 +23,7 @@ def without_outside_links(markdown, page):
         path = posixpath.normpath(posixpath.join("docs", posixpath.dirname(page), link[2]))
         if path.startswith("docs/"):
             return link[0]
-        return f"{link[1]} (`{path}`)"
+        return f"`{path}`" if path.endswith(link[1]) else f"{link[1]} (`{path}`)"
     return LINK.sub(shown, markdown)
 
 
@@ -63,5 +63,6 @@ def on_page_markdown(markdown, page, **_):
 
 assert without_outside_links("[a](../b.md#c)", "d/e.md") == "[a](../b.md#c)"
 assert without_outside_links("[a](../../b.cpp)", "d/e.md") == "a (`b.cpp`)"
+assert without_outside_links("[c.cpp](../../b/c.cpp)", "d/e.md") == "`b/c.cpp`"
 assert with_plain_formulas("<h> of E* or *our* `E*`") == "&lt;h> of E\\* or *our* `E*`"
 assert with_plain_formulas("a\n\n    E* <h>\n\nE* of E*\n") == "a\n\n    E* <h>\n\nE\\* of E\\*\n"
