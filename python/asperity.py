@@ -13,6 +13,7 @@ program is the one that $ASPERITY_PROGRAM names, else `asperity` on the path, el
 the checkout in which this file lies or from which pip has installed it.
 """
 import copy
+import base64
 import html
 import importlib.metadata
 import json
@@ -215,8 +216,16 @@ class Result:
         return iter(self.methods)
 
     def _repr_html_(self):
-        return "".join(f"<h4>{html.escape(name)}</h4>{method._repr_html_()}"
-                       for name, method in self.methods.items())
+        """In a notebook: what the report answers, its first figure, and a table of each method."""
+        text = f"<p>{html.escape(' '.join((self.summary or {}).get('answers', [])))}</p>"
+        for name in ("pressure-gap", "exact-area", "adhesion-loop"):
+            figure = self.folder / f"figures/{name}.svg"
+            if figure.is_file():
+                picture = base64.b64encode(figure.read_bytes()).decode()
+                text += f'<img alt="{name}" src="data:image/svg+xml;base64,{picture}">'
+                break
+        return text + "".join(f"<h4>{html.escape(name)}</h4>{method._repr_html_()}"
+                              for name, method in self.methods.items())
 
 
 class Sweep:

@@ -116,6 +116,13 @@ def check_heights(asperity, folder):
     assert not result.folder.exists()
 
 
+def check_notebook(asperity, folder):
+    """A notebook shows the answers, the first figure and a table of each method."""
+    shown = asperity.run(CASE, out=folder / "shown", report=True)._repr_html_() # pylint: disable=protected-access
+    assert "of the area touches" in shown and shown.count("data:image/svg+xml;base64,PD94") == 1, shown[:500]
+    assert shown.count("<h4>") == 2, shown
+
+
 def check_press(asperity, folder):
     """Arrays go in and come out: the wave of the case, and loads that the maps carry."""
     x = np.arange(32) * 2 * np.pi / 32
@@ -295,6 +302,7 @@ def main(program, source, scratch):
     check_toml(asperity)
     check_run(asperity, folder)
     check_heights(asperity, folder)
+    check_notebook(asperity, folder)
     check_press(asperity, folder)
     check_flux(asperity, folder)
     check_sweep(asperity, folder)
