@@ -130,10 +130,23 @@ Json problems_of(const Section& section) {
   return list;
 }
 
+/// The figures of the paper: "Figures 15 and 16: pressure against ..."; "" if
+/// the README does not say.
+std::string shown_figures(const std::string& readme) {
+  for (const char* word : {"Figures", "Figure"})
+    if (const std::string shown = paragraph_on(readme, word); !shown.empty())
+      return fmt::format("{} {}", word, shown);
+  return "";
+}
+
 Json section_data(const Section& section, const fs::path& folder,
                   const DrawnGroup& group) {
   const PaperPart& first = *section.parts.front();
+  const std::string shown = shown_figures(first.readme);
+  const std::size_t colon = shown.find(':');
   return {{"name", section.name},
+          {"head", colon == shown.npos ? section.name : shown.substr(0, colon)},
+          {"shown", shown},
           {"title", first.entry.summary.case_title},
           {"claim", paragraph_on(first.readme, "Claim")},
           {"misses", paragraph_on(first.readme, "What does not come out")},
