@@ -1,4 +1,5 @@
 // The figures, the text and the quantities of [adhesion].
+#include "base/shown_number.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "studies/adhesion/adhesion.hpp"
@@ -6,7 +7,9 @@
 #include "studies/theory_quantities.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::studies {
@@ -173,6 +176,45 @@ void add_adhesion_quantities(const results::Result& result,
   }
 }
 
+/// The state at the rms height that is nearest to that of the case, and where
+/// complete contact ends.
+std::string adhesion_answer(const ReportEntry& entry) {
+  const Table* const rows = entry.result->table("adhesion");
+  if (rows == nullptr || rows->values("rms_height").empty())
+    return "";
+  const std::vector<double> ratios = rows->values("height_ratio");
+  const auto nearest = static_cast<std::size_t>(
+      std::ranges::min_element(
+          ratios, {}, [](double ratio) { return std::abs(ratio - 1.0); }) -
+      ratios.begin());
+  const auto here = [&](const char* column) {
+    const std::vector<double> values = rows->values(column);
+    return nearest < values.size() ? values[nearest] : not_a_number;
+  };
+  const double height = here("rms_height");
+  const double area = here("area_fraction_equilibrium");
+  std::vector<std::string> parts;
+  if (const double binding = here("binding_equilibrium"); binding > 0.0)
+    parts.push_back(fmt::format(
+        "at an rms height of {} and without load, {} % of the area touches, "
+        "with {} % of the binding energy of flat faces",
+        quantity_text(height, "m", 3), digits_text(100.0 * area, 3),
+        digits_text(100.0 * binding, 3)));
+  if (const double force = here("pull_off_force"); force > 0.0)
+    parts.push_back(
+        fmt::format("the ball comes off at {}", quantity_text(force, "N", 3)));
+  const Table* const flip = entry.result->table("adhesion-flip");
+  if (flip != nullptr && !flip->values("height_ratio").empty())
+    if (const double ratio = flip->values("height_ratio").front();
+        std::isfinite(ratio))
+      parts.push_back(
+          fmt::format("contact is complete up to {}",
+                      quantity_text(ratio * height / ratios[nearest], "m", 3)));
+  return parts.empty() ? ""
+                       : fmt::format("By the theory of rough adhesion: {}.",
+                                     fmt::join(parts, "; "));
+}
+
 std::string adhesion_text(const cases::Case& contact_case) {
   return asks<AdhesionStudy>(contact_case) ? " Adhesion follows [persson2002]."
                                            : "";
@@ -186,6 +228,7 @@ const StudyPages& adhesion_pages() {
                                                  "adhesion-equilibrium",
                                                  "adhesion-height"},
                                 .figures = adhesion_figures,
+                                .answer = adhesion_answer,
                                 .methods_text = adhesion_text,
                                 .add_quantities = add_adhesion_quantities};
   return pages;

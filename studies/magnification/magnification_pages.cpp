@@ -1,4 +1,5 @@
 // The figures, the text and the quantities of [magnification].
+#include "base/shown_number.hpp"
 #include "input/types/quantity_at_load.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -315,6 +316,45 @@ std::vector<Figure> magnification_figures(const ReportEntry& entry, std::size_t,
   return figures;
 }
 
+std::string leak_words(const results::Result& result, std::size_t load) {
+  const results::Table* const leak = result.table("leak");
+  if (leak == nullptr || !has_columns(leak, {"mass_flow", "pore_gap"}) ||
+      leak->values("mass_flow").size() <= load)
+    return "";
+  const double flow = leak->values("mass_flow")[load];
+  return std::isfinite(flow)
+             ? fmt::format(
+                   " {} leaks through its critical pore, {} high.",
+                   quantity_text(flow, "kg/s", 3),
+                   quantity_text(leak->values("pore_gap")[load], "m", 3))
+             : " It does not leak: the open area does not percolate.";
+}
+
+/// What is in contact under the heaviest load: where half of the area is, and
+/// with all of the roughness.
+std::string magnification_answer(const ReportEntry& entry) {
+  const MagnifiedStudy study = study_of(*entry.result);
+  if (study.loads.empty())
+    return "";
+  const MagnifiedLoad& load =
+      *std::ranges::max_element(study.loads, {}, &MagnifiedLoad::pressure);
+  std::vector<double> shares = load.seen->values("area_fraction");
+  for (double& share : shares) // ascending
+    share = 1.0 / share;
+  const double zeta =
+      between_rows(shares, load.seen->values("magnification"), 2.0);
+  const double gap = between_rows(shares, load.seen->values("mean_gap"), 2.0);
+  std::string words = fmt::format(
+      "Under {} the theory has {} % of the area in contact with all roughness",
+      quantity_text(load.pressure, "Pa", 3),
+      digits_text(100.0 * load.contact_weight, 3));
+  if (std::isfinite(zeta + gap))
+    words += fmt::format(", and half of it at the magnification {}, where the "
+                         "faces are {} apart",
+                         digits_text(zeta, 3), quantity_text(gap, "m", 3));
+  return words + "." + leak_words(*entry.result, load.index);
+}
+
 // Loads that a case writes in two units are equal within this relative
 // tolerance.
 constexpr double unit_rounding = 1e-9;
@@ -433,6 +473,7 @@ const StudyPages& magnification_pages() {
       .figure_names = {"magnification-opening", "magnification-parts",
                        "magnification-separation", "separation-distributions-"},
       .figures = magnification_figures,
+      .answer = magnification_answer,
       .methods_text = magnification_text,
       .add_quantities = add_magnification_quantities};
   return pages;

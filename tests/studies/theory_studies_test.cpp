@@ -143,6 +143,57 @@ TEST(StudyQuantities, HaveNamesOfTheirOwn) {
               0.749306001288, 1e-12);
 }
 
+// A = 0.5 at zeta = p/50 MPa; u falls as 1/zeta^2.
+TEST(StudyAnswers, SayWhatTouchesAtAMagnification) {
+  results::Result result = studied_result();
+  const cases::Case studied = studied_case();
+  const ReportEntry entry{&result, &studied, {}};
+
+  EXPECT_EQ(magnification_pages().answer(entry),
+            "Under 3 MPa the theory has 10 % of the area in contact with all "
+            "roughness.");
+  for (double& share : result.tables[1].columns[1].values)
+    share *= 50.0; // 1.5 at zeta = 1, 0.5 at zeta = 3
+  result.tables.push_back({"leak",
+                           "",
+                           {{"nominal_pressure", "Pa", {3e6, 1e6}},
+                            {"mass_flow", "kg/s", {none, 2e-9}},
+                            {"pore_gap", "m", {none, 3e-9}}}});
+
+  EXPECT_EQ(magnification_pages().answer(entry),
+            "Under 3 MPa the theory has 10 % of the area in contact with all "
+            "roughness, and half of it at the magnification 3, where the faces "
+            "are 4.44 nm apart. It does not leak: the open area does not "
+            "percolate.");
+  result.tables.back().columns[1].values.front() = 2.5e-9;
+  result.tables.back().columns[2].values.front() = 3e-9;
+  EXPECT_TRUE(magnification_pages().answer(entry).ends_with(
+      "apart. 2.5e-09 kg/s leaks through its critical pore, 3 nm high."))
+      << magnification_pages().answer(entry);
+}
+
+TEST(StudyAnswers, SayWhatAdhesionHolds) {
+  results::Result result = studied_result();
+  const cases::Case studied = studied_case();
+  const ReportEntry entry{&result, &studied, {}};
+  results::Table& rows = result.tables[5];
+  rows.columns.push_back({"rms_height", "m", {1e-8, 2e-8}});
+  rows.columns.push_back({"binding_equilibrium", "1", {0.7, 0.1}});
+  rows.columns.push_back({"area_fraction_equilibrium", "1", {1.0, 0.4}});
+  rows.columns.push_back({"pull_off_force", "N", {3e-3, 1e-3}});
+
+  EXPECT_EQ(adhesion_pages().answer(entry),
+            "By the theory of rough adhesion: at an rms height of 20 nm and "
+            "without load, 40 % of the area touches, with 10 % of the binding "
+            "energy of flat faces; the ball comes off at 1 mN; contact is "
+            "complete up to 16 nm.");
+  rows.columns[4].values.back() = none; // no contact at this roughness
+  rows.columns.pop_back();
+  EXPECT_EQ(adhesion_pages().answer(entry),
+            "By the theory of rough adhesion: contact is complete up to 16 "
+            "nm.");
+}
+
 TEST(StudyFigures, AreDrawnWhereTheTablesAre) {
   const results::Result result = studied_result();
   const results::Result bare;
