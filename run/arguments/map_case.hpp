@@ -52,6 +52,7 @@ struct NamedMaps {
   std::vector<std::filesystem::path> files;
   std::vector<std::string> folders;  ///< words that stand for all their files
   std::vector<std::string> left_out; ///< case files and folders in them
+  std::string origin = {}; ///< comment at the head of the case of one map
 };
 
 /// Returns the maps that a command names, by themselves or as all files of a

@@ -199,7 +199,8 @@ NamedCases read_maps(NamedMaps& maps, const std::vector<std::string>& overrides,
          without_lines_of(made,
                           [&] {
                             return cases::read_case_text(
-                                map_case_text(maps.files.front(), entries),
+                                maps.origin +
+                                    map_case_text(maps.files.front(), entries),
                                 made.string(), overrides);
                           }),
          "",

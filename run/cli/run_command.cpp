@@ -252,8 +252,9 @@ void add_answer(run::JsonAnswer& answer, const std::string& name,
   }
   const results::Result result =
       results::read_result(folder, results::MapsInFile::large);
+  const cases::Case contact_case = reports::case_of(result);
   const reports::Summary summary =
-      reports::summarize(result, reports::case_of(result));
+      reports::entry_of(result, contact_case).summary;
   answer.add(name, folder, exit_code, &summary);
 }
 
@@ -265,6 +266,8 @@ fs::path folder_of(const std::string& name, const std::string& out,
 }
 
 std::vector<run::NamedCases> read_asked(const RunCommand& command) {
+  if (!command.against.empty())
+    return {read_faces(command)};
   run::NamedMaps maps = run::maps_among(command.cases);
   if (!maps.folders.empty() || maps.files.size() > 1) {
     const fs::path folder = folder_of_maps(maps.files, command.out);
@@ -330,6 +333,10 @@ void add_run(CommandLine& line) {
   add_methods(command, run.methods);
   add_case_options(command, run.options);
   add_overrides(command, run.overrides);
+  CLI::Option* against =
+      command->add_option("--against", run.against,
+                          "map of the face that lies on the one map, turned\n"
+                          "over along x: two rough faces on each other");
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
                     "compute the steps missing from an earlier run");
@@ -346,9 +353,11 @@ void add_run(CommandLine& line) {
       command->add_flag("--pdf", run.has_pdf,
                         "also print the report to report.pdf, by chromium\n"
                         "or weasyprint");
-  command->add_flag("--dry-run", run.is_dry,
-                    "print the plan, the predicted memory and what is\n"
-                    "skipped; write nothing");
+  command
+      ->add_flag("--dry-run", run.is_dry,
+                 "print the plan, the predicted memory and what is\n"
+                 "skipped; write nothing")
+      ->excludes(against);
   command->add_flag("!--no-cache", run.uses_cache,
                     "compute every step; do not read or write the cache");
   command
@@ -356,7 +365,8 @@ void add_run(CommandLine& line) {
                    "compute one of N shares of the realisations or\n"
                    "points, I/N as in 3/8; 'asperity merge' joins them")
       ->excludes(target)
-      ->excludes(pdf);
+      ->excludes(pdf)
+      ->excludes(against);
   add_threads(command, run.threads);
   add_quiet(command, line.output);
   add_json(command, line.output, "the summaries, or the plans,");

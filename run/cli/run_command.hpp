@@ -30,9 +30,10 @@ struct RunCommand {
   bool no_report = false; ///< write result.h5 only, as benchmarks need it
   bool uses_cache = true;
   run::CaseOptions options = {};
-  bool is_dry = false;   ///< print the plan without running anything
-  bool has_pdf = false;  ///< also print the report
-  std::string part = {}; ///< "3/8": only this share; empty: everything
+  bool is_dry = false;      ///< print the plan without running anything
+  bool has_pdf = false;     ///< also print the report
+  std::string part = {};    ///< "3/8": only this share; empty: everything
+  std::string against = {}; ///< map of the face that lies on the one map
 };
 
 /// Refuses a PDF before anything is computed.
@@ -54,6 +55,12 @@ std::filesystem::path folder_of(const std::string& name, const std::string& out,
 /// @throws input::InputError  as run::read_named_cases_or_sweep(), and for maps
 ///                            in the output folder
 std::vector<run::NamedCases> read_asked(const RunCommand& command);
+
+/// Reads a map and the one against it with the options of maps, as `surface`
+/// does, and writes the sum of their heights into the output folder, from which
+/// it is pressed like any map. The case names both files with their SHA-256.
+/// @throws input::InputError  as read_asked(), or a word is no map
+run::NamedCases read_faces(const RunCommand& command);
 
 /// Runs cases. All cases are read before the first one is run. A collection
 /// gets a report on all of its parts, in out/<collection>, after they have run.

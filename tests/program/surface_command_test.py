@@ -157,10 +157,37 @@ def check_against(program, folder):
     expected = one[:, :48] - one.mean() + other[:, ::-1] - other.mean()
     written = np.load(folder / "faces.npy") * 1e9
     assert np.allclose(written, expected - expected.mean(), atol=1e-6 * np.abs(expected).max())
+    check_pressed_faces(program, folder, words[:3])
     write_map(folder / "coarse.txt", other)
     message = run(program, folder / "wave.txt", "--against", folder / "coarse.txt", "--length", "10 um",
                   "--height-unit", "nm", code=2)
     assert "apart, but must be as those of wave.txt" in message, message
+
+
+def check_pressed_faces(program, folder, faces):
+    """`run A --against B` is `run` of their sum, keeps that sum, and names both."""
+    import h5py # pylint: disable=import-outside-toplevel
+    body = ["--counter-youngs-modulus", "70 GPa", "--counter-poisson-ratio", "0.3", "--youngs-modulus", "2 GPa",
+            "--poisson-ratio", "0.4", "--pressure", "1 MPa", "--quiet", "--no-report"]
+    message = subprocess.run([program, "run", *faces, "--pressure", "1 MPa", "--out", folder / "lost"], check=False,
+                             capture_output=True, text=True)
+    assert message.returncode == 2 and "--contact-modulus" in message.stderr, message.stderr
+    assert not (folder / "lost").exists()
+    pressed = subprocess.run([program, "run", *faces, *body, "--level", "bow", "--out", folder / "faces-pressed", "--json"],
+                             check=True, capture_output=True, text=True)
+    answers = json.loads(pressed.stdout)["results"][0]["summary"]["answers"]
+    assert answers[0].startswith("At 1 MPa ") and "of the area touches" in answers[0], answers
+    run(program, *faces, "--level", "bow", "--no-report", "--write", folder / "levelled.gwy")
+    subprocess.run([program, "run", folder / "levelled.gwy", *body, "--level", "none", "--out", folder / "faces-sum"], check=True)
+    curves = []
+    for result in ("faces-pressed", "faces-sum"):
+        with h5py.File(folder / result / "result.h5") as file:
+            curves.append(file["methods/halfspace/0/curve/mean_gap"][:])
+            text = file.attrs["case_text"]
+        sources = [line for line in text.splitlines() if line.startswith("#") and "SHA-256" in line]
+        assert len(sources) == (2 if result == "faces-pressed" else 0), text
+    assert np.array_equal(*curves) and curves[0][0] > 0.0, curves
+    assert (folder / "faces-pressed/face-one-against-face-other.gwy").read_bytes()[:4] == b"GWYP"
 
 
 def check_line(program, folder):
