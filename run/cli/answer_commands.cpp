@@ -257,7 +257,8 @@ run::ExitCode import_submission(const ImportCommand& command) {
 /// Options of `asperity board`.
 struct BoardCommand {
   std::string folder; ///< problems and submissions, see board/board.hpp
-  std::string out;    ///< folder of the site; empty: out/board-site
+  std::vector<std::string> answers; ///< folders of further answers
+  std::string out; ///< folder of the site; empty: out/board-site
 };
 
 /// @return  exit_expectation_failed if a submission failed
@@ -268,10 +269,9 @@ run::ExitCode build_board(const BoardCommand& command) {
                           : std::filesystem::path(command.out);
   const run::OutputFolder lock(site, "board " + command.folder,
                                {"index.html", "board.json", "figures/"});
-  const std::vector<exchange::BoardProblem> board =
-      exchange::read_board(command.folder, site);
-  exchange::write_site(board, exchange::open_problems(command.folder, board),
-                       site);
+  const std::vector<exchange::BoardProblem> board = exchange::read_board(
+      command.folder, site, {command.answers.begin(), command.answers.end()});
+  exchange::write_site(board, site);
   fmt::print("board: {}\n", (site / "index.html").string());
   if (run::wants_json())
     run::emit_answer(run::json_of_file(site / "board.json"));
@@ -344,6 +344,9 @@ void add_board(CommandLine& line) {
       ->add_option("folder", board.folder,
                    "folder with problems and submissions")
       ->required();
+  command->add_option("answer", board.answers,
+                      "folders of your answers: the site then shows their\n"
+                      "problems only, with your answers among the others");
   command->add_option("--out", board.out,
                       "folder of the site (default: out/board-site)");
   add_quiet(command, line.output);

@@ -197,18 +197,20 @@ void write_problem(const Problem& problem,
   write("problem.schema.json", std::string(problem_schema));
   if (!case_text.empty())
     write("case.toml", case_text);
-  write("README.md",
-        fmt::format(
-            fmt::runtime(readme_text), fmt::arg("name", problem.name),
-            fmt::arg("title", problem.title),
-            fmt::arg("cell",
-                     problem.is_periodic() ? "a periodic cell" : "a rectangle"),
-            fmt::arg("means", problem.is_periodic() ? ", mean(w) = 0" : ""),
-            fmt::arg("points_x", grid.points_x),
-            fmt::arg("points_y", grid.points_y),
-            fmt::arg("loads", problem.loads.size()),
-            fmt::arg("first_load", problem.loads.front()),
-            fmt::arg("body", stated_body(problem).text)));
+  write(
+      "README.md",
+      fmt::format(
+          fmt::runtime(readme_text), fmt::arg("name", problem.name),
+          fmt::arg("title", problem.title),
+          fmt::arg("cell",
+                   problem.is_periodic() ? "a periodic cell" : "a rectangle"),
+          fmt::arg("means", problem.is_periodic() ? ", mean(w) = 0" : ""),
+          fmt::arg("points_x", grid.points_x),
+          fmt::arg("points_y", grid.points_y),
+          fmt::arg("loads", problem.loads.size()),
+          fmt::arg("first_load", problem.loads.front()),
+          fmt::arg("mesh", mesh == nullptr ? "" : mesh_readme(*mesh, problem)),
+          fmt::arg("body", stated_body(problem).text)));
   write("problem.json", json);
 }
 

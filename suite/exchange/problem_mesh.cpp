@@ -249,6 +249,41 @@ std::string abaqus_text(const ProblemMesh& block) {
   return text;
 }
 
+std::string mesh_readme(const ProblemMesh& block, const Problem& problem) {
+  const Grid& grid = problem.grid;
+  const bool is_linear = block.element == mechanics::Element::q1;
+  std::string text = fmt::format(
+      R"(- `mesh.msh`: the block as {} by {} by {} hexahedra for gmsh (4.1, text), in metres, z into the block; its named
+  surfaces and groups of cells are listed under `mesh` in `problem.json`, with moduli and boundary conditions
+- `mesh.inp`: the same for Abaqus and CalculiX: nodes, elements, the sets of nodes and the surfaces of these names. It has
+  no materials, steps and contact: these are yours
+
+## From forces of nodes to pressures
+
+Solve for a rigid surface whose height over the node of column j and row i of the contact surface is `heights[i, j]`; nodes at
+x = length_x and y = length_y are those at 0. )",
+      block.cells_x, block.cells_y, block.layers.size());
+  text +=
+      is_linear
+          ? fmt::format(
+                R"(Contact forces of nodes F [N] become pressures by the area of a node:
+
+    p[i, j] = F[i, j] / (dx dy),    dx dy = {:.6e} m x {:.6e} m
+
+where F of a node on the border is the sum over its periodic images. Write p as `pressure`, or F itself as `nodal_force` in
+`submission.toml`, which does this division. It is exact for linear hexahedra, since the area of a node is the row sum of
+the mass matrix of the contact surface; the sum of all F over length_x length_y is then p_0.
+)",
+                grid.spacing_x(), grid.spacing_y())
+          : std::string(
+                R"(These are second-order elements: the other nodes of the grid are the
+middles of edges and faces of the cells of `mesh.msh`. Forces of their nodes have different weights at corners, edges and
+faces, so that `nodal_force` does not apply: solve M p = F with the mass matrix M of the contact surface, or integrate
+the contact pressure of your code, and write p at the nodes of the grid as `pressure`.
+)");
+  return text;
+}
+
 Json mesh_json(const ProblemMesh& block) {
   Json surfaces = Json::object();
   for (const NamedFaces& faces : named_faces)

@@ -53,4 +53,8 @@ std::string abaqus_text(const ProblemMesh& block);
 /// The member `mesh` of problem.json.
 nlohmann::ordered_json mesh_json(const ProblemMesh& block);
 
+/// The part of README.md on the files of the mesh, and on how the forces of its
+/// nodes become pressures.
+std::string mesh_readme(const ProblemMesh& block, const Problem& problem);
+
 } // namespace asperity::exchange

@@ -250,15 +250,29 @@ void read_head(SubmissionTable& table, const Problem& problem,
     submission.claimed_error = claimed;
 }
 
+Node parsed_submission(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "submission.toml";
+  input::require_own_file(folder, file);
+  return cases::parse_toml(
+      input::read_input_file(file, input::largest_text_file), file.string(),
+      "submission.toml");
+}
+
 } // namespace
+
+std::string submitted_problem(const std::filesystem::path& folder) {
+  const Node root = parsed_submission(folder);
+  const Node* const name = root.find("problem");
+  if (name == nullptr || name->type != NodeType::text || name->text.empty())
+    throw input::InputError(
+        fmt::format("{}: problem is missing: the name of the problem",
+                    (folder / "submission.toml").string()));
+  return name->text;
+}
 
 Submission read_submission(const std::filesystem::path& folder,
                            const Problem& problem) {
-  const std::filesystem::path file = folder / "submission.toml";
-  input::require_own_file(folder, file);
-  const Node root =
-      cases::parse_toml(input::read_input_file(file, input::largest_text_file),
-                        file.string(), "submission.toml");
+  const Node root = parsed_submission(folder);
   Mistakes mistakes;
   SubmissionTable table(root,
                         {"problem", "code", "version", "method", "accuracy",
@@ -276,7 +290,7 @@ Submission read_submission(const std::filesystem::path& folder,
   if (const Node* const curve = root.find("curve"))
     curve_file = SubmissionTable(*curve, {"file"}, mistakes).file("file");
   if (submission.loads.empty() && root.find("curve") == nullptr)
-    mistakes.add({file.string(), 0},
+    mistakes.add({(folder / "submission.toml").string(), 0},
                  "has neither [[load]] with a pressure field nor [curve]");
   mistakes.throw_if_any("submission.toml");
   for (SubmittedLoad& load : submission.loads) {

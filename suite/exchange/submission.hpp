@@ -76,4 +76,8 @@ struct Submission {
 Submission read_submission(const std::filesystem::path& folder,
                            const Problem& problem);
 
+/// The name of the problem that a submission answers.
+/// @throws input::InputError  there is none, or no submission.toml
+std::string submitted_problem(const std::filesystem::path& folder);
+
 } // namespace asperity::exchange

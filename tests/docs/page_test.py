@@ -3,7 +3,7 @@
 
 page_test.py PROGRAM SOURCE PAGE FOLDER: runs each line of the fenced blocks of
 docs/PAGE.md that begin with ./asperity or python3, and each block marked `python`,
-in FOLDER, which is emptied first and gets copies of docs/tutorials and python/adapters. A line ends with `# exit code N` where N is not 0.
+in FOLDER, which is emptied first and gets copies of docs/tutorials and python/adapters and a link to cases. A line ends with `# exit code N` where N is not 0.
 A block marked `text` shows lines of what the commands before it print; numbers
 may differ by 2 %, and a line that ends with ... may go on. The count before a
 load step, as in 4/12, is not compared, because jobs run beside each other.
@@ -127,6 +127,7 @@ def main(program, source, name, scratch):
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(Path(source) / "docs/tutorials", folder / "docs/tutorials")
     shutil.copytree(Path(source) / "python/adapters", folder / "python/adapters")
+    (folder / "cases").symlink_to(Path(source).resolve() / "cases")
     os.environ["ASPERITY_CACHE"] = str(folder / "cache")
     os.environ.pop("ASPERITY_CACHE_SIZE", None)
     os.environ["ASPERITY_PROGRAM"] = program

@@ -90,6 +90,10 @@ TEST_F(ProblemFolder, HasTheMeshOfItsBlock) {
   EXPECT_EQ(json.at("materials")[0].at("youngs_modulus [Pa]"), 5e9);
   EXPECT_NEAR(json.at("materials")[1].at("youngs_modulus [Pa]").get<double>(),
               0.91e9, 1.0);
+  EXPECT_NE(text_of(folder / "README.md")
+                .find("p[i, j] = F[i, j] / (dx dy),    dx dy = 1.000000e-06 m "
+                      "x 1.000000e-06 m"),
+            std::string::npos);
   // What is read back is the same mesh, with the same surfaces.
   meshes::BlockMesh read =
       fem::load_fem_module().mesh_file(folder / "mesh.msh", 1.0).mesh;
@@ -108,6 +112,8 @@ TEST_F(ProblemFolder, HasTheMeshAsAbaqusInput) {
   const ProblemMesh block =
       problem_mesh(problem, {.element = mechanics::Element::q2});
   EXPECT_EQ(block.cells_x, 32);
+  EXPECT_NE(mesh_readme(block, problem).find("solve M p = F"),
+            std::string::npos);
   const std::string text = abaqus_text(block);
   std::istringstream lines(text);
   std::map<std::string, std::size_t> counts;

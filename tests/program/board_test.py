@@ -167,6 +167,8 @@ def main():
     again = json.loads((folder / "again/board.json").read_text())
     first = json.loads((folder / "site/board.json").read_text())
     assert again == [row for row in first if state_of(row) != "failed"]
+    check_named_answer(folder, board)
+    check_unanswered(folder, board)
     (board / "other").mkdir()
     statement = json.loads((problem / "problem.json").read_text()) | {"name": "another"}
     shutil.copytree(problem, board / "other", dirs_exist_ok=True)
@@ -177,6 +179,38 @@ def main():
     said = exchange.asperity("board", folder / "small", expected=2)
     assert "has no submission" in said, said
     check_foreign_files(folder, problem)
+
+
+def check_named_answer(folder, board):
+    """An answer beside the board is shown among those of its problem, and other problems are left out."""
+    mine = shutil.copytree(board / "submissions/small/rough/2", folder / "mine")
+    change_head(mine, HOSTILE, "my own")
+    shutil.copytree(board / "small", board / "unasked")
+    shutil.copytree(board / "submissions/small/good", board / "submissions/unasked/good")
+    exchange.asperity("board", board, "mine", "--out", "with-mine")
+    shutil.rmtree(board / "unasked")
+    shutil.rmtree(board / "submissions/unasked")
+    rows = {row["folder"]: row for row in json.loads((folder / "with-mine/board.json").read_text())}
+    others = {row["folder"]: row for row in json.loads((folder / "again/board.json").read_text())}
+    assert rows.pop("mine")["code"] == "my own" and rows == others, rows
+    text = (folder / "with-mine/problem-small.html").read_text()
+    assert text.count('<tr class="named">') == 1 and '<tr class="named"><td data-key="my own 1.0">' in text
+    said = exchange.asperity("board", board, "small", "--out", "with-none", expected=2)
+    assert "submission.toml" in said, said
+
+
+def check_unanswered(folder, board):
+    """A problem without an answer has its page with our own answer and its files, beside the others."""
+    shutil.copytree(board / "small", board / "lone")
+    exchange.asperity("board", board, "--out", "with-lone")
+    shutil.rmtree(board / "lone")
+    page = Page(folder / "with-lone/problem-lone.html")
+    assert "There is none yet." in page.text and "problems/lone/heights.npy" in page.links, page.links
+    assert all((folder / "with-lone" / link).exists() for link in page.links), page.links
+    reference = [row for row in page.rows if len(row) == 8][1:]
+    assert len(reference) == 2 and reference[0][0].endswith(" MPa"), page.rows
+    assert ["lone", "4096", "0", "0"] in [[cell.split("A small")[0] for cell in row[:4]]
+                                          for row in Page(folder / "with-lone/index.html").rows]
 
 
 def check_foreign_files(folder, problem):

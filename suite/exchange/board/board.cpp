@@ -38,11 +38,6 @@ submission_folders(const fs::path& root) {
       found[below.begin()->string()].push_back(
           is_answer ? entry.path().parent_path() : entry.path());
     }
-  if (found.empty())
-    throw input::InputError(fmt::format(
-        "{}: has no submission; expected <problem>/<code>/<version>/"
-        "submission.toml",
-        root.string()));
   for (auto& [problem, folders] : found)
     std::ranges::sort(folders);
   return found;
@@ -200,19 +195,23 @@ void add_continuum(const ImportedAnswer& answer, const BoardProblem& board,
   }
 }
 
+/// @param root  that of all submissions, or the folder itself, if it is named
 BoardEntry board_entry(const fs::path& folder, const fs::path& root,
                        const BoardProblem& board,
                        const methods::SurfaceOfCase& surface) {
   const exchange::Problem& problem = board.problem;
   BoardEntry entry;
-  entry.folder = folder.lexically_relative(root).string();
+  entry.is_named = folder == root;
+  entry.folder = entry.is_named ? folder.string()
+                                : folder.lexically_relative(root).string();
   entry.problem = problem.name;
   // <problem>/<code>/<version>, until the submission has been read.
   const fs::path below = entry.folder;
   entry.code = below.parent_path().filename().string();
   entry.version = below.filename().string();
   try {
-    input::require_own_file(root, folder);
+    if (!entry.is_named)
+      input::require_own_file(root, folder);
     const ImportedAnswer answer = import_answer(
         folder, problem, surface, [&](const std::string& element) {
           return mesh_operator(board, surface, element);
@@ -241,26 +240,57 @@ BoardEntry board_entry(const fs::path& folder, const fs::path& root,
   return entry;
 }
 
+/// An answer and the folder below which none of its links is followed.
+struct AnswerFolder {
+  fs::path folder, root;
+};
+
+/// The answers of the board, and those that are named, by problem: of all
+/// problems, or of those to which answers are named.
+std::map<std::string, std::vector<AnswerFolder>>
+answer_folders(const fs::path& folder, const std::vector<fs::path>& named) {
+  const fs::path root = folder / "submissions";
+  input::require_own_file(folder, root);
+  std::map<std::string, std::vector<AnswerFolder>> found;
+  for (const fs::path& answer : named)
+    found[exchange::submitted_problem(answer)].push_back({answer, answer});
+  for (const auto& [problem, folders] : submission_folders(root))
+    if (named.empty() || found.contains(problem))
+      for (const fs::path& answer : folders)
+        found[problem].push_back({answer, root});
+  if (found.empty())
+    throw input::InputError(fmt::format(
+        "{}: has no submission; expected <problem>/<code>/<version>/"
+        "submission.toml",
+        root.string()));
+  if (named.empty())
+    for (const std::string& problem : stated_problems(folder))
+      found.try_emplace(problem);
+  return found;
+}
+
+std::string state_words(const BoardEntry& entry) {
+  return entry.state == BoardEntry::State::certified
+             ? fmt::format("certified, {:.1e} h_rms", entry.gap_error)
+         : entry.state == BoardEntry::State::as_submitted
+             ? "as submitted"
+             : "failed: " + entry.reasons.front();
+}
+
 } // namespace
 
 std::vector<BoardProblem> read_board(const fs::path& folder,
-                                     const fs::path& site) {
-  const fs::path root = folder / "submissions";
-  input::require_own_file(folder, root);
+                                     const fs::path& site,
+                                     const std::vector<fs::path>& named) {
   std::vector<BoardProblem> board;
-  for (const auto& [name, folders] : submission_folders(root)) {
+  for (const auto& [name, answers] : answer_folders(folder, named)) {
     BoardProblem problem = board_problem(folder, name, site);
     const methods::SurfaceOfCase surface = surface_of(problem.problem);
-    for (const fs::path& submission : folders) {
+    for (const AnswerFolder& answer : answers) {
       problem.entries.push_back(
-          board_entry(submission, root, problem, surface));
+          board_entry(answer.folder, answer.root, problem, surface));
       const BoardEntry& entry = problem.entries.back();
-      fmt::print("{:<60} {}\n", entry.folder,
-                 entry.state == BoardEntry::State::certified
-                     ? fmt::format("certified, {:.1e} h_rms", entry.gap_error)
-                 : entry.state == BoardEntry::State::as_submitted
-                     ? "as submitted"
-                     : "failed: " + entry.reasons.front());
+      fmt::print("{:<60} {}\n", entry.folder, state_words(entry));
     }
     std::ranges::stable_sort(
         problem.entries, [](const BoardEntry& a, const BoardEntry& b) {
@@ -270,17 +300,6 @@ std::vector<BoardProblem> read_board(const fs::path& folder,
     board.push_back(std::move(problem));
   }
   return board;
-}
-
-std::vector<std::string> open_problems(const fs::path& folder,
-                                       const std::vector<BoardProblem>& board) {
-  std::vector<std::string> names = stated_problems(folder);
-  std::erase_if(names, [&](const std::string& name) {
-    return std::ranges::any_of(board, [&](const BoardProblem& answered) {
-      return answered.problem.name == name;
-    });
-  });
-  return names;
 }
 
 } // namespace asperity::exchange

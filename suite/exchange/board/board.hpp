@@ -23,7 +23,8 @@ struct BoardEntry {
     as_submitted, ///< a curve without fields: not ranked
     failed        ///< unreadable, a mistake, or a claim that does not hold
   };
-  std::string folder; ///< below the folder of submissions
+  std::string folder; ///< below the folder of submissions, or as it was named
+  bool is_named = false; ///< named beside the board, not one of its folder
   std::string problem;
   std::string code;
   std::string version;
@@ -64,7 +65,7 @@ struct BoardProblem {
   std::vector<BoardEntry> entries;
 };
 
-/// Reads the problems that have an answer, and all answers:
+/// Reads the problems and all answers to them:
 ///
 ///     FOLDER/<problem>/problem.json or case.toml
 ///     FOLDER/submissions/<problem>/<code>/<version>/submission.toml
@@ -72,15 +73,17 @@ struct BoardProblem {
 /// A problem that is given as a case is computed. Each problem is written into
 /// problems/<problem> of the site, or the files of its SHA256SUMS are copied
 /// there. No symbolic link below FOLDER is followed.
+///
+/// @param named  further answers, folders with a submission.toml. With any,
+/// only
+///               their problems are read
 /// @throws input::InputError  no submissions, or a problem that does not exist
 ///                            or is invalid, or has another checksum or a
 ///                            symbolic link. A submission cannot cause an
 ///                            exception: it becomes an entry that failed.
-std::vector<BoardProblem> read_board(const std::filesystem::path& folder,
-                                     const std::filesystem::path& site);
-
-/// The names of the problems below FOLDER to which there is no answer.
-std::vector<std::string> open_problems(const std::filesystem::path& folder,
-                                       const std::vector<BoardProblem>& board);
+std::vector<BoardProblem>
+read_board(const std::filesystem::path& folder,
+           const std::filesystem::path& site,
+           const std::vector<std::filesystem::path>& named = {});
 
 } // namespace asperity::exchange

@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
 #include "base/json.hpp"
+#include "base/shown_number.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/pages/page_data.hpp"
 #include "suite/exchange/board/board_figures.hpp"
@@ -44,10 +45,10 @@ const BoardEntry* leading(const BoardProblem& problem,
 }
 
 std::string body_words(const mechanics::ElasticBlock& body) {
-  std::string words = fmt::format("E* = {:.4g} Pa", body.contact_modulus);
+  std::string words = "E* = " + quantity_text(body.contact_modulus, "Pa");
   words += body.is_infinite()
                ? ", half-space"
-               : fmt::format(", block of {:.4g} m", body.thickness);
+               : ", block of " + quantity_text(body.thickness, "m");
   if (!body.layers.empty())
     words += fmt::format(" with {} bonded layer(s)", body.layers.size());
   return words;
@@ -97,6 +98,7 @@ std::string time_note(const BoardEntry& entry) {
 Json row_of(const BoardEntry& entry) {
   Json row = entry_json(entry);
   row["title"] = entry.code + " " + entry.version;
+  row["is_named"] = entry.is_named;
   row["code_page"] = code_page_name(entry.code);
   row["problem_page"] = problem_page_name(entry.problem);
   row["accuracy_word"] = entry.accuracy.empty() ? "–" : entry.accuracy;
@@ -155,6 +157,7 @@ std::vector<RankedAnswers> ranked_answers(const BoardProblem& problem) {
     const auto found = std::ranges::find_if(rows, [&](RankedAnswers& row) {
       return row.any().code == entry.code &&
              row.any().version == entry.version &&
+             row.any().is_named == entry.is_named &&
              row.any().missing_loads == entry.missing_loads &&
              row.at(entry.accuracy) == nullptr;
     });
@@ -265,7 +268,8 @@ std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
       {"files",
        {"README.md", "problem.json", "heights.npy", "heights.h5", "heights.txt",
         "heights.gwy", "reference.json", "SHA256SUMS"}}};
-  add({error_figure(problem)}, page["ranked"]);
+  if (reports::Figure errors = error_figure(problem); errors.problem.empty())
+    add({std::move(errors)}, page["ranked"]);
   if (std::ranges::any_of(problem.entries, [](const BoardEntry& entry) {
         return entry.state == BoardEntry::State::certified &&
                !entry.element.empty();
@@ -296,7 +300,6 @@ std::string code_page(const std::string& code,
 using Counts = std::map<std::string, std::pair<int, int>>;
 
 std::string front_page(const std::vector<BoardProblem>& board,
-                       const std::vector<std::string>& open,
                        const Counts& counts) {
   Json problems = Json::array();
   const auto least = [](const BoardEntry* entry) {
@@ -312,19 +315,6 @@ std::string front_page(const std::vector<BoardProblem>& board,
          {"certified", rows_in(problem, BoardEntry::State::certified).size()},
          {"default", least(leading(problem, "default"))},
          {"best", least(leading(problem, "best"))}});
-  for (const std::string& name : open)
-    problems.push_back({{"name", name},
-                        {"page", ""},
-                        {"small", "no answer yet"},
-                        {"nodes", nullptr},
-                        {"answers", 0},
-                        {"certified", 0},
-                        {"default", least(nullptr)},
-                        {"best", least(nullptr)}});
-  std::sort(problems.begin(), problems.end(),
-            [](const Json& one, const Json& other) {
-              return one["name"] < other["name"];
-            });
   Json codes = Json::array();
   for (const auto& [code, of_code] : counts)
     codes.push_back({{"code", code},
@@ -345,8 +335,7 @@ std::string front_page(const std::vector<BoardProblem>& board,
 
 } // namespace
 
-void write_site(const std::vector<BoardProblem>& board,
-                const std::vector<std::string>& open, const fs::path& site) {
+void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
   fs::create_directories(site / "figures");
   Json list = Json::array();
   Counts codes;
@@ -362,7 +351,7 @@ void write_site(const std::vector<BoardProblem>& board,
   write_file_atomically(site / "board.json", text_of_json(list, 2) + "\n");
   for (const auto& [code, counts] : codes)
     write_file_atomically(site / code_page_name(code), code_page(code, board));
-  write_file_atomically(site / "index.html", front_page(board, open, codes));
+  write_file_atomically(site / "index.html", front_page(board, codes));
 }
 
 } // namespace asperity::exchange

@@ -13,9 +13,7 @@ namespace asperity::exchange {
 /// Writes index.html, problem-<name>.html, code-<code>.html, board.json and the
 /// figures.
 /// @throws std::system_error  naming the path
-/// @param open  names of problems without an answer
 void write_site(const std::vector<BoardProblem>& board,
-                const std::vector<std::string>& open,
                 const std::filesystem::path& site);
 
 } // namespace asperity::exchange
