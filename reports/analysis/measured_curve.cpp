@@ -5,6 +5,7 @@
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
 #include "input/units.hpp"
+#include "reports/analysis/surface_theory.hpp"
 #include "results/types/method_columns.hpp"
 #include "surfaces/formats/text/column_heads.hpp"
 #include "surfaces/formats/text/number_table.hpp"
@@ -234,6 +235,9 @@ results::Result read_measured_curve(const std::filesystem::path& file,
   method.realizations.front().points =
       rows_of_table(table, measured_columns(table, nominal_area(beside)),
                     has_attraction(beside));
+  // Of its heights only the gamma of the curve is asked.
+  if (!has_spectrum_of_images(beside.surfaces.front()))
+    method.realizations.front().own_surface = beside.surfaces.front();
   results::Result result;
   result.path = file.string();
   result.case_name = method.name;

@@ -30,7 +30,8 @@ inline constexpr const char* measured_kind = "measured";
 /// @param beside        the result that it is compared with; the curve gets its
 ///                      modulus and the size, rms height and slope of its
 ///                      surface
-/// @return        one method of the kind "measured", called as the file
+/// @return        one method of the kind "measured", called as the file, on the
+///                surface of `beside`: its gamma is that of this spectrum
 /// @throws input::InputError  file, line, what was found and what is allowed
 results::Result read_measured_curve(const std::filesystem::path& file,
                                     const results::Result& beside);

@@ -141,12 +141,20 @@ run::ExitCode report_results(const ReportCommand& command) {
   fmt::print("report: {}\n", (folder / "report.html").string());
   run::JsonAnswer answer("asperity-report");
   for (const results::Result& result : read)
-    if (!is_curve_file(result.path))
+    if (is_curve_file(result.path)) {
+      if (run::wants_json()) {
+        const cases::Case none = reports::case_of(result);
+        const reports::Summary summary =
+            reports::entry_of(result, none).summary;
+        answer.add(result.case_name, folder, end, &summary);
+      }
+    } else {
       add_answer(answer, result.case_name,
                  fs::is_directory(result.path)
                      ? fs::path(result.path)
                      : fs::path(result.path).parent_path(),
                  end);
+    }
   answer.print(end);
   return end;
 }

@@ -3,6 +3,8 @@
 // its deviations, and results of one case have names that differ.
 #include "input/units.hpp"
 #include "reports/analysis/measured_curve.hpp"
+#include "reports/analysis/summary.hpp"
+#include "reports/analysis/surface_theory.hpp"
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/answers.hpp"
 #include "reports/pages/entry_names.hpp"
@@ -212,6 +214,41 @@ TEST_F(MeasuredCurve, IsComparedWithTheFirstMethod) {
   EXPECT_TRUE(write_report(entries, folder, "no-such-gnuplot").size() > 0);
   EXPECT_NE(text_of(folder / "comparison.csv").find("\"mine\""),
             std::string::npos);
+}
+
+// u of the theory with gamma = 0.45 on the surface of the result: what is
+// fitted is exact up to the digits of the file. A scatter of 1 % of h_rms gives
+// an interval that contains it.
+TEST_F(MeasuredCurve, HasTheGammaOfTheSpectrumBesideIt) {
+  SurfaceTheories theories(result);
+  const SurfaceTheory theory = theories.of(result.surfaces.front());
+  const auto quantities = [&](double scatter) {
+    std::string text = "pressure [Pa],gap [m]\n";
+    for (int i = 0; i < 12; ++i) {
+      const double pressure = 2e-4 * std::pow(100.0, i / 11.0) * 2e9;
+      const LossSplit split = theory.gap(pressure);
+      text += fmt::format("{},{}\n", pressure,
+                          0.45 * split.at_one + 0.55 * split.at_zero +
+                              (i % 2 == 0 ? 1.0 : -1.0) * scatter *
+                                  result.surfaces.front().rms_height);
+    }
+    const results::Result mine = read(text);
+    return summarize(mine, case_of(mine)).methods.front().quantities;
+  };
+  ASSERT_EQ(result.contact_modulus, 2e9);
+
+  const auto exact = quantities(0.0);
+  const auto noisy = quantities(0.01);
+
+  for (const char* name : {"gamma_curve", "gamma_matched"}) {
+    EXPECT_NEAR(exact.at(name).value, 0.45, 1e-9) << name;
+    EXPECT_GT(noisy.at(name).half_width, 1e-3) << name;
+    EXPECT_LT(std::abs(noisy.at(name).value - 0.45), noisy.at(name).half_width)
+        << name;
+  }
+  result.surfaces.front().heights.clear();
+  EXPECT_EQ(quantities(0.0).at("gamma_curve").remark,
+            "the heights are not in the result");
 }
 
 TEST_F(MeasuredCurve, ResultsOfOneCaseHaveNamesThatDiffer) {
