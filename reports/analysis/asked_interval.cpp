@@ -143,9 +143,14 @@ HalfWidths AskedIntervals::of(const CurvePoint& row) const {
   const double slope = all_->spectrum().rms_slope();
   const double x = boost::math::erf_inv(area);
   const double load = x * all_->contact_modulus() * slope / std::numbers::sqrt2;
+  const double growth = slope / long_->spectrum().rms_slope();
   widths.area +=
-      std::abs(std::erf(x * slope / long_->spectrum().rms_slope()) - area);
-  widths.gap += std::abs(long_->mean_gap(load) - all_->mean_gap(load));
+      std::max(std::erf(x * growth) - area, area - std::erf(x / growth));
+  // Near full contact the gap of the theory is too small to be changed by much.
+  const double gap = all_->mean_gap(load);
+  const double change = std::abs(long_->mean_gap(load) - gap);
+  widths.gap +=
+      gap > 0.0 ? change * std::max(1.0, std::abs(row.mean_gap) / gap) : change;
   return widths;
 }
 

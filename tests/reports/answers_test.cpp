@@ -77,6 +77,25 @@ TEST_F(Answers, HaveIntervalsFromTheShortWavesOfAMap) {
   EXPECT_LT(intervals.of(row).area - grid, 0.5 * row.area_fraction);
 }
 
+// An octave that is missing takes area away where nothing is left to add, and
+// changes a gap that the theory does not have in proportion.
+TEST_F(Answers, HaveIntervalsFromTheShortWavesNearFullContact) {
+  rough.surface.kind = mechanics::SurfaceKind::measured;
+  const AskedIntervals intervals(result, rough, result.methods.back());
+  results::CurvePoint row =
+      result.methods.back().realizations.front().points[3];
+  row.area_fraction = row.area_fraction_corrected = 0.95;
+  const auto gap_error = [&](double mean_gap) {
+    row.mean_gap = mean_gap;
+    return intervals.of(row).gap;
+  };
+
+  EXPECT_GT(intervals.of(row).area, 0.05);
+  EXPECT_GT(gap_error(0.0), 0.0);
+  EXPECT_EQ(gap_error(0.0), gap_error(1e-15));
+  EXPECT_NEAR(gap_error(2e-6) / gap_error(1e-6), 2.0, 1e-12);
+}
+
 // Where a node has yielded, the area is not corrected, but it is counted.
 TEST_F(Answers, SayTheCountedAreaWhereNoneIsCorrected) {
   for (results::MethodRecord& method : result.methods)
