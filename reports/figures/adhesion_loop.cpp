@@ -75,7 +75,7 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
     return std::nullopt;
   figure.data = table.text();
   panel.y = pressure_axis("p / E*", "nominal pressure p",
-                          result.contact_modulus, largest);
+                          result.contact_modulus, std::max(largest, -least));
   figure.panels = {panel};
   if (least < 0.0 && largest > -3.0 * least) // the tension is hard to see
     add_tension_panel(figure, std::move(panel), -least, result.contact_modulus);

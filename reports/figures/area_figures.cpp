@@ -139,7 +139,17 @@ std::string fitted_kappas(std::span<const Series> series) {
   return limits.empty() ? limits : limits + ".";
 }
 
-Figure area_coefficient_figure(std::span<const Series> series) {
+/// Whether a method has more than one load, so that a curve is seen.
+bool has_several_loads(std::span<const Series> series) {
+  return std::ranges::any_of(series, [](const Series& one) {
+    return !one.is_theory() && one.rows.size() > 1;
+  });
+}
+
+std::optional<Figure> area_coefficient_figure(std::span<const Series> series) {
+  constexpr double end_of_axis = 6.4; // twice these values
+  if (!has_several_loads(series))
+    return std::nullopt;
   Figure figure;
   figure.name = "area-coefficient";
   figure.title = "Area-load coefficient κ";
@@ -148,8 +158,9 @@ Figure area_coefficient_figure(std::span<const Series> series) {
                   "A E* h'/(A_0 p) corrected [1]"});
   ChartPanel panel{.x = {.label = "A / A_0", .low = 0.0, .high = 1.0},
                    .y = {.label = "A E* h' / (A_0 p)"}};
-  double lowest = 0.8;  // the axis: Persson's and Bush's values, and all data
-  double highest = 3.2; // up to twice these
+  double lowest = 0.8; // the axis: Persson's and Bush's values, and all data
+  double highest = 3.2;
+  bool has_more = false;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     for (const SeriesRow& row : one.line_rows())
@@ -161,7 +172,8 @@ Figure area_coefficient_figure(std::span<const Series> series) {
       for (const double area : {row.area, row.area_corrected})
         if (const double kappa = area / row.pressure_slope; kappa > 0.0) {
           lowest = std::min(lowest, 0.9 * kappa);
-          highest = std::max(highest, std::min(1.05 * kappa, 6.4));
+          highest = std::max(highest, std::min(1.05 * kappa, end_of_axis));
+          has_more = has_more || kappa > end_of_axis;
         }
     if (one.rows.empty() || !one.is_drawn)
       continue;
@@ -179,6 +191,7 @@ Figure area_coefficient_figure(std::span<const Series> series) {
       fitted_kappas(series) +
       " Dotted levels: √(8/π) of Persson and √(2π) of Bush, Gibson and "
       "Thomas." +
+      (has_more ? " Larger values are above the axis." : "") +
       joined_words(series);
   for (const double theory :
        {std::sqrt(8.0 / std::numbers::pi), std::sqrt(2.0 * std::numbers::pi)})
@@ -209,6 +222,8 @@ std::string excess_words(std::span<const Series> series) {
 }
 
 std::optional<Figure> area_theory_figure(std::span<const Series> series) {
+  if (!has_several_loads(series))
+    return std::nullopt;
   Figure figure;
   figure.name = "area-theory";
   figure.title = "Contact area against that of the theory";

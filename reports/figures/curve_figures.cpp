@@ -96,8 +96,7 @@ Figure pressure_gap_figure(std::span<const Series> series,
   CsvTable table({"curve", "index", "p/E* [1]", "u/h_rms [1]",
                   "least u/h_rms [1]", "largest u/h_rms [1]"});
   ChartPanel panel{.x = gap_axis(series, scales),
-                   .y = load_axis(series, scales),
-                   .marks = window_bars(series)};
+                   .y = load_axis(series, scales)};
   panel.y.is_log = panel.y.has_powers = true;
   add_gap_curves(series, table, panel);
   figure.caption = "Each marker is a load step, the mean over the "
@@ -109,6 +108,7 @@ Figure pressure_gap_figure(std::span<const Series> series,
       quantity(*fitted, "beta").has_value()) {
     const std::size_t index = series.size();
     add_fit(table, index, *fitted);
+    panel.marks = window_bars(series);
     const Estimate& gamma = quantity(*fitted, "gamma_slope");
     panel.add("fit to " + fitted->label, line("#777777", 0.9, 3), index, 4, 3);
     figure.caption += fmt::format(
@@ -136,12 +136,14 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series,
                    .marks = {{.low = 0.3, .high = 1.5, .color = "#0072B2"}},
                    .offsets = "graph 0, 0, 0.3, 0.1"};
   double largest = 0.0;
+  bool is_curve = false; // and not a point
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     bool has_rows = false;
     for (const SeriesRow& row : one.rows) {
       if (one.is_theory() || !std::isfinite(row.theory_gap))
         continue;
+      is_curve = is_curve || has_rows;
       const double percent = 100.0 * (row.gap - row.theory_gap);
       table.add(one.label, {static_cast<double>(i), row.gap, percent});
       largest = std::max(largest, std::abs(percent));
@@ -151,7 +153,7 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series,
       continue;
     panel.add(one.legend, joined(point_style(one)), i, 3, 4);
   }
-  if (panel.curves.size() == 1)
+  if (panel.curves.size() == 1 || !is_curve)
     return std::nullopt;
   panel.y.other =
       length_axis("", "u − u_{theory}", 0.01 * scales.rms_height, largest)

@@ -5,6 +5,7 @@
 #include "reports/study_pages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -125,8 +126,10 @@ bool has_tension(const results::Result& result) {
 /// figure of the path with adhesion shows it.
 bool is_never_pressed(std::span<const ReportEntry> entries,
                       std::span<const Series> series) {
-  return std::ranges::all_of(
-             series, [](const Series& one) { return one.rows.empty(); }) &&
+  return std::ranges::all_of(series,
+                             [](const Series& one) {
+                               return one.rows.empty() || one.is_theory();
+                             }) &&
          std::ranges::any_of(entries, [](const ReportEntry& entry) {
            return has_tension(*entry.result) ||
                   std::ranges::any_of(
@@ -155,13 +158,20 @@ void add_groups_of_one(std::vector<FigureGroup>& groups, const FigureData& all,
   const FigureData data{{&entry, 1}, all.series, all.scales};
   FigureGroup contact =
       group_of(FigureSection::contact, "Surface and contact", data);
-  FigureGroup studies =
-      group_of(FigureSection::studies,
-               "Magnification, adhesion, flow, conductance and friction", data);
-  for (const StudyPages* const study : study_pages())
+  FigureGroup studies = group_of(FigureSection::studies, "", data);
+  std::vector<std::string> names;
+  if (!studies.figures.empty())
+    names.emplace_back("adhesion");
+  for (const StudyPages* const study : study_pages()) {
+    const std::size_t before = studies.figures.size();
     if (study->figures != nullptr)
       add(studies.figures, study->name,
           [&] { return study->figures(entry, index, all.series); });
+    if (studies.figures.size() > before &&
+        std::ranges::find(names, study->name) == names.end())
+      names.push_back(study->name);
+  }
+  studies.heading = fmt::format("Studies: {}", fmt::join(names, ", "));
   for (FigureGroup* const group : {&contact, &studies}) {
     if (all.entries.size() > 1) {
       group->heading += ": " + entry.summary.case_name;

@@ -6,6 +6,12 @@
 
 namespace asperity::reports {
 
+namespace {
+
+constexpr int upright_cross = 1, diagonal_cross = 2; ///< gnuplot's numbers
+
+} // namespace
+
 int LoadSpread::zeros() const {
   return static_cast<int>(std::ranges::count(numbers, 0.0));
 }
@@ -54,8 +60,12 @@ void SpreadPanel::add(const std::string& label, const CurveStyle& style,
   const std::size_t drawn = rows_.size();
   add_rows(label + ", " + zero_, curve, true);
   if (rows_.size() > drawn) {
-    ChartCurve& zeros = panel_.add(
-        label + ", " + zero_, markers(style.color, 2, 1.0, 1.3), next_++, 3, 4);
+    const bool is_open = style.marker % 2 == 0;
+    ChartCurve& zeros =
+        panel_.add(label + ", " + zero_,
+                   markers(style.color,
+                           is_open ? upright_cross : diagonal_cross, 1.0, 1.3),
+                   next_++, 3, 4);
     zeros.low = 5;
     zeros.high = 6;
   }

@@ -144,7 +144,7 @@ std::string load_text(const FigureScales& scales, double nominal_pressure) {
   if (!scales.is_physical)
     return fmt::format("p/E* = {:.3g}",
                        nominal_pressure / scales.contact_modulus);
-  const Unit& unit = unit_for(nominal_pressure, pressure_units);
+  const Unit& unit = unit_for(std::abs(nominal_pressure), pressure_units);
   return fmt::format("p = {:.3g} {}", nominal_pressure / unit.size, unit.name);
 }
 

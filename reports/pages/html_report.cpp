@@ -174,7 +174,8 @@ bool states_any(const Summary& summary, std::span<const Column> columns) {
 std::string heading_of(std::span<const Column> columns) {
   std::vector<std::string> names;
   for (const Column& column : columns)
-    names.emplace_back(column.head);
+    if (names.empty() || names.back() != column.head)
+      names.emplace_back(column.head);
   return names.empty() ? "The methods"
                        : fmt::format("The methods: {}", fmt::join(names, ", "));
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace asperity::reports {
 namespace {
@@ -115,6 +116,9 @@ std::string with_deviation(const SampleValues& values, bool is_share) {
                      text(values.deviation, 2));
 }
 
+constexpr const char* outlier_colors[] = {"#d55e00", "#009e73", "#cc79a7",
+                                          "#e69f00", "#0072b2"};
+
 Figure sample_figure(const SampleLoads& table, bool is_area) {
   const double mega = 1e-6;
   const double nano = 1e9;
@@ -139,6 +143,7 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
                 100.0 * value(load.columns[0]), nano * value(load.columns[1])});
   };
   bool is_told = false;
+  std::size_t n_outliers = 0;
   for (std::size_t i = 0; i < table.samples.size(); ++i) {
     add(table.samples[i], i,
         [&](const SampleValues& column) { return column.values[i]; });
@@ -152,7 +157,13 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
         : std::exchange(is_told, true)
             ? ""
             : fmt::format("one of {} maps", table.samples.size());
-    panel.add(label, line(is_outlier ? "#d55e00" : "#56b4e9", 1.0), i, x, y);
+    panel.add(
+        label,
+        is_outlier
+            ? line(outlier_colors[n_outliers++ % std::size(outlier_colors)],
+                   1.0)
+            : line("#56b4e9", 1.0),
+        i, x, y);
   }
   add("mean", table.samples.size(),
       [](const SampleValues& column) { return column.mean; });

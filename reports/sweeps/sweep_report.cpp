@@ -109,10 +109,14 @@ Json scatter_rows(const SweepRecord& record, const Results& results) {
   quantities.resize(std::min(quantities.size(), most_rows));
   quantities.emplace_back("rms_height");
   for (const Scatter& scatter : scatter_of(results, quantities)) {
+    const auto text = [&](double value, int digits) {
+      return quantity_text(value, scatter.quantity == "rms_height" ? "m" : "1",
+                           digits);
+    };
     const auto named = [&](std::size_t point) {
       const Estimate* const estimate =
           swept_estimate(*results[point], scatter.method, scatter.quantity);
-      return fmt::format("{:.4g}, {}", estimate->value,
+      return fmt::format("{}, {}", text(estimate->value, 4),
                          sample_name(record, point));
     };
     std::string outliers;
@@ -121,8 +125,8 @@ Json scatter_rows(const SweepRecord& record, const Results& results) {
     rows.push_back({{"method", scatter.method},
                     {"quantity", scatter.quantity},
                     {"count", scatter.count},
-                    {"mean", scatter.mean},
-                    {"deviation", scatter.deviation},
+                    {"mean", text(scatter.mean, 4)},
+                    {"deviation", text(scatter.deviation, 2)},
                     {"lowest", named(scatter.lowest)},
                     {"highest", named(scatter.highest)},
                     {"outliers", outliers.empty() ? "–" : outliers}});
@@ -320,8 +324,11 @@ std::string page_text(Json page, const SweepRecord& record,
   const bool is_sampled = has_samples(record);
   page.update(record_json(record));
   page["page_title"] = "Sweep: " + record.title;
+  const bool are_maps = is_sampled && record.keys.front().key == "surface.file";
+  page["are_maps"] = are_maps;
   page["lead"] = fmt::format(
-      "Case {}: {} points{}.", record.case_name, record.points.size(),
+      "Case {}: {} {}{}.", record.case_name, record.points.size(),
+      are_maps ? "maps" : "points",
       record.keys.size() < 2 ? ""
       : record.combine == cases::Combine::zip
           ? ", the lists of values side by side"
