@@ -40,10 +40,11 @@ std::vector<double> hills(const Grid& grid) {
   return heights;
 }
 
-BlockProblem yielding_boxes(int degree, int points = 8) {
+BlockProblem yielding_boxes(int degree, int points = 8,
+                            double yield = yield_stress) {
   BlockProblem problem = boxes_problem({points, points, length, length}, degree,
                                        {soft_modulus, poisson}, length);
-  problem.law = j2_plasticity(yield_stress, 0.0);
+  problem.law = j2_plasticity(yield, 0.0);
   return problem;
 }
 
@@ -253,6 +254,20 @@ TEST(PlasticBalance, ForgetsWhatIsElastic) {
         expect_equal(again, up, 1e-4, 1e-3);
       EXPECT_EQ(again.area_by_points, up.area_by_points);
     }
+}
+
+// The first load finds a contact that has many times the points of the elastic
+// one, which cannot carry it at the yield stress (E* h' = 20 Y; measured 21
+// iterations).
+TEST(PlasticBalance, FindsContactsThatFlowWidens) {
+  constexpr double load = 4e-3;
+  MeshedBlock elastic_block(yielding_boxes(2, 16, soft_modulus));
+  MeshedBlock block(yielding_boxes(2, 16, 3e-3 * soft_modulus));
+  const BlockSolution elastic = press(elastic_block, load);
+  const BlockSolution found = press(block, load);
+
+  EXPECT_GT(found.area_by_points, 2.0 * elastic.area_by_points);
+  EXPECT_LE(found.iterations, 40);
 }
 
 // Load steps of half the size change the gap by less and less. Tolerance:
