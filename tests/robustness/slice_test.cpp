@@ -39,9 +39,8 @@ TEST(Slice, HasNoOtherOutcome) {
   EXPECT_GT(refused, 10);
 }
 
-// Small blocks with every unknown: the first one of each mesh and counter-body,
-// of alternating order, equal to the direct solver, and of each order one that
-// flows, which has none.
+// Small elastic blocks with every unknown, equal to the direct solver: the
+// first one of each mesh and counter-body, of alternating order.
 TEST(Slice, SolvesFullBlocks) {
   int index = 0;
   for (const auto& [kind, element] : {std::pair{"layers", "Q1"},
@@ -50,16 +49,13 @@ TEST(Slice, SolvesFullBlocks) {
                                       {"gmsh", "Q2"},
                                       {"sphere", "Q1"},
                                       {"cylinder", "Q2"},
-                                      {"cuboid", "Q1"},
-                                      {"plastic", "Q1"},
-                                      {"plastic", "Q2"}}) {
-    const bool is_plastic = kind == std::string("plastic");
+                                      {"cuboid", "Q1"}}) {
     Instance instance;
     for (bool is_found = false; !is_found; ++index) {
       instance = draw_instance(12, index);
       is_found = InstanceFilter(kind).takes(instance) &&
                  instance.label("family") == "full-block" &&
-                 (instance.label("material-law") == "plastic") == is_plastic &&
+                 instance.label("material-law") != "plastic" &&
                  instance.label("element") == element &&
                  instance.label("points") == "8" &&
                  instance.label("shortest-wave") != "2" &&
@@ -67,8 +63,7 @@ TEST(Slice, SolvesFullBlocks) {
     }
     const InstanceReport report = run_instance(instance);
     expect_good(report, instance);
-    EXPECT_TRUE(report.has_pair || is_plastic ||
-                report.outcome == Outcome::refused);
+    EXPECT_TRUE(report.has_pair || report.outcome == Outcome::refused);
   }
 }
 
