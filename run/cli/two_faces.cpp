@@ -72,8 +72,8 @@ run::NamedCases read_faces(const RunCommand& command) {
                             source_line(files.back()),
                             printable(sum.origin, longest_line));
   run::CaseOptions options = command.options;
-  for (const run::CaseOption& option : run::case_options())
-    if (option.group == run::OptionGroup::map)
+  for (const input::CaseOption& option : input::case_options())
+    if (option.group == input::OptionGroup::map)
       options.place(option.name) = option.name == "--level" ? "none" : "";
   std::vector<std::string> overrides = command.overrides;
   std::erase_if(overrides, [](const std::string& entry) {
