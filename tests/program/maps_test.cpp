@@ -136,7 +136,7 @@ TEST_F(Maps, AreNotPressedBeyondTheirHardness) {
     auto columns = columns_of(text_of(folder / csv), "halfspace");
     const std::vector<std::string>& loads = columns["nominal_pressure [Pa]"];
     ASSERT_GT(loads.size(), 9U) << csv;
-    EXPECT_EQ(std::stod(loads.back()), 3e6); // 5 MPa is above 90 % of it
+    EXPECT_NEAR(std::stod(loads.back()), 3e6, 3e-6); // 5 MPa: above 90 % of it
   }
 }
 
