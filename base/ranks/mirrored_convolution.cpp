@@ -22,6 +22,19 @@ std::vector<std::complex<Real>> quarter_turns(int n) {
   return turns;
 }
 
+/// a b, of finite numbers: std::complex also asks whether they are.
+template <class Real>
+std::complex<Real> product(std::complex<Real> a, std::complex<Real> b) {
+  return {a.real() * b.real() - a.imag() * b.imag(),
+          a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// i a.
+template <class Real>
+std::complex<Real> turned(std::complex<Real> a) {
+  return {-a.imag(), a.real()};
+}
+
 /// The i-th of 0, 2, 4, ..., 5, 3, 1 below n.
 int in_order(int i, int n) {
   return 2 * i < n ? 2 * i : 2 * (n - i) - 1;
@@ -104,21 +117,24 @@ void MirroredConvolution<Real>::multiply(int jx, const Real* pair,
   const auto multiplied = [&](std::size_t jy, Complex mode) {
     return Complex(pair[jy] * mode.real(), pair[height() + jy] * mode.imag());
   };
-  column[0] = back * multiplied(0, turn * column[0]);
+  const auto alone = [&](std::size_t jy) { // n - jy is jy or beyond
+    column[jy] = product(back, multiplied(jy, product(turn, column[jy])));
+  };
+  alone(0);
   const std::size_t n = height();
   for (std::size_t jy = 1; 2 * jy < n; ++jy) {
     const Complex turn_y = turn_y_[jy];
-    const Complex p = turn_y * column[jy];
-    const Complex q = std::conj(turn_y) * column[n - jy];
-    const Complex i(0, 1);
-    const Complex sum = back * multiplied(jy, turn * (p + q));
-    const Complex difference =
-        -i * (back * multiplied(n - jy, i * (turn * (p - q))));
-    column[jy] = Real(0.5) * std::conj(turn_y) * (sum + difference);
-    column[n - jy] = Real(0.5) * turn_y * (sum - difference);
+    const Complex back_y = std::conj(turn_y);
+    const Complex p = product(turn_y, column[jy]);
+    const Complex q = product(back_y, column[n - jy]);
+    const Complex sum = product(back, multiplied(jy, product(turn, p + q)));
+    const Complex difference = -turned(
+        product(back, multiplied(n - jy, turned(product(turn, p - q)))));
+    column[jy] = Real(0.5) * product(back_y, sum + difference);
+    column[n - jy] = Real(0.5) * product(turn_y, sum - difference);
   }
   if (n % 2 == 0)
-    column[n / 2] = back * multiplied(n / 2, turn * column[n / 2]);
+    alone(n / 2);
 }
 
 template <class Real>
