@@ -54,13 +54,17 @@ private:
 
 /// Whether heights equal their mirror images about the middle lines of a grid,
 /// to 1e-12 of the largest height.
+/// @param heights  [m], grid.size() values
 bool equals_mirror_images(std::span<const double> heights, const Grid& grid);
 
-/// The first quarter of a field of a cell.
+/// The first quarter of a field of a cell, quarter_of(cell).size() values.
+/// @param whole  cell.size() values
+/// @param cell   of even numbers of points
 std::vector<double> first_quarter(std::span<const double> whole,
                                   const Grid& cell);
 
-/// The field of a cell that equals its mirror images, from its first quarter.
+/// The field of a cell that equals its mirror images, cell.size() values, from
+/// its first quarter.
 std::vector<double> unfolded(std::span<const double> quarter, const Grid& cell);
 
 } // namespace asperity::contact

@@ -36,9 +36,8 @@ struct HalfWidths {
 ///   correction leaves a part of it (docs/numerics/area.md); the half-width is
 ///   the correction itself. The mean gap converges an order faster.
 /// - Solver: the certified bound of the mean gap on the grid.
-/// - Short waves, of a map: the waves of the shortest reliable octave, and
-/// those
-///   beyond it, make the rms slope larger by a factor, and the octave that the
+/// - Short waves, of a map: the waves of the shortest reliable octave and those
+///   beyond it make the rms slope larger by a factor, and the octave that the
 ///   map does not resolve is taken to have the same. By Persson's theory, at
 ///   the load at which it has the area of the step, the area changes by the
 ///   larger of what removing and adding such an octave does, and the gap by

@@ -34,6 +34,20 @@ inline double relative_difference(const BlockVector& found,
   return difference.l2_norm() / expected.l2_norm();
 }
 
+/// The derivative of force(displacement) along a step, by central differences
+/// of some size.
+template <class Force>
+BlockVector derivative_along(const BlockVector& step, const Force& force,
+                             const BlockVector& displacement, double size) {
+  BlockVector low(displacement), high(displacement);
+  low.add(-size, step);
+  high.add(size, step);
+  BlockVector change = force(high);
+  change -= force(low);
+  change /= 2.0 * size;
+  return change;
+}
+
 /// A contact state of the points in one part of the surface.
 struct PartialContact {
   std::vector<double> springs; ///< [N/m]

@@ -74,9 +74,8 @@ struct BoardProblem {
 /// problems/<problem> of the site, or the files of its SHA256SUMS are copied
 /// there. No symbolic link below FOLDER is followed.
 ///
-/// @param named  further answers, folders with a submission.toml. With any,
-/// only
-///               their problems are read
+/// @param named  further answers, folders with a submission.toml: if there are
+///               any, only their problems are read
 /// @throws input::InputError  no submissions, or a problem that does not exist
 ///                            or is invalid, or has another checksum or a
 ///                            symbolic link. A submission cannot cause an
