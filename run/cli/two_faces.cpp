@@ -45,10 +45,14 @@ void write_sum(const SurfaceInput& sum, const fs::path& file) {
 
 run::NamedCases read_faces(const RunCommand& command) {
   const std::vector<std::string> files{command.cases.front(), command.against};
-  if (command.cases.size() != 1 ||
-      !std::ranges::all_of(files, run::is_map_file))
-    throw input::InputError("--against lays one map on another: asperity run "
-                            "A --against B, with two map files");
+  const auto wrong = std::ranges::find_if_not(files, run::is_map_file);
+  if (command.cases.size() != 1 || wrong != files.end())
+    throw input::InputError(
+        "--against lays one map on another: asperity run A --against B, with "
+        "two map files" +
+        (wrong == files.end()
+             ? ""
+             : "; there is no map file " + printable(*wrong, longest_line)));
   run::NamedMaps one{{run::path_of_map(files.front())}, {}, {}};
   run::read_maps(one, command.overrides, command.options); // all refusals
   SurfaceCommand reading;

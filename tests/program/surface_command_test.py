@@ -173,6 +173,9 @@ def check_pressed_faces(program, folder, faces):
                              capture_output=True, text=True)
     assert message.returncode == 2 and "--contact-modulus" in message.stderr, message.stderr
     assert not (folder / "lost").exists()
+    message = subprocess.run([program, "run", faces[0], "--against", folder / "nothing.txt", *body], check=False,
+                             capture_output=True, text=True)
+    assert message.returncode == 2 and f"there is no map file {folder / 'nothing.txt'}" in message.stderr, message.stderr
     pressed = subprocess.run([program, "run", *faces, *body, "--level", "bow", "--out", folder / "faces-pressed", "--json"],
                              check=True, capture_output=True, text=True)
     answers = json.loads(pressed.stdout)["results"][0]["summary"]["answers"]
