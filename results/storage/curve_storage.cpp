@@ -75,6 +75,7 @@ void append_points(Hdf5Group& curve, std::span<const CurvePoint> points) {
       curve.has(length_column) ? curve.extents(length_column).front() : 0;
   for (const CurveColumn& column : curve_columns()) {
     std::vector<double> numbers;
+    numbers.reserve(points.size());
     if (!curve.has(std::string(column.name))) // the column is newer than the
                                               // file
       numbers.assign(length, column.get(blank_point(0)));
@@ -120,6 +121,7 @@ void complete_rows(Hdf5Group& curve) {
   fill_contact_stiffness(points);
   if (std::ranges::is_sorted(stored)) {
     std::vector<double> numbers;
+    numbers.reserve(points.size());
     for (const CurvePoint& point : points)
       numbers.push_back(point.contact_stiffness);
     curve.overwrite(stiffness, numbers);
