@@ -19,8 +19,9 @@ namespace asperity::fem {
 ///    there is.
 /// 2. Full steps find a contact set within some ten, or cycle. After twelve
 ///    that changed the set, Newton's method shortens its steps under a
-///    prescribed load, and approaches a prescribed mean gap, which minimises no
-///    energy, by loads. The active-set method ends after thirty.
+///    prescribed load, as it always does where the material flows, and
+///    approaches a prescribed mean gap, which minimises no energy, by loads.
+///    The active-set method ends after thirty.
 /// 3. In strongly heterogeneous blocks, and with much softer counter-bodies,
 ///    the error of a linear solution may be a pressure of many times the load.
 ///    Linear systems are therefore solved with care after the fourth step of

@@ -37,6 +37,13 @@ constexpr double roundoff_share = 0.1;
 
 } // namespace
 
+/// Takes this share of the pressure, and of `more` [Pa] on top of it, as
+/// multiplier.
+void AugmentedLagrangian::keep_pressure(double share, double more) {
+  for (std::size_t i = 0; i < state_.multiplier.size(); ++i)
+    state_.multiplier[i] = share * (state_.pressure[i] + more);
+}
+
 /// The working penalty in Newton's method. A penalty within the bounds is used
 /// itself; for hard contact the solution does not depend on the working
 /// penalty.
@@ -94,10 +101,13 @@ double AugmentedLagrangian::softer_penalty(const BlockContact& working) {
 void AugmentedLagrangian::solve(const mechanics::LoadTarget& load,
                                 const BlockContact& contact,
                                 double height_scale, BlockSolution& answer) {
-  std::fill(state_.multiplier.begin(), state_.multiplier.end(), 0.0);
   BlockContact spring = contact;
   spring.penalty = first_penalty(contact);
   const double compliance = contact.local_compliance();
+  if (state_.is_elastic())
+    std::fill(state_.multiplier.begin(), state_.multiplier.end(), 0.0);
+  else
+    keep_pressure(1.0 - spring.penalty * compliance);
   double last = std::numeric_limits<double>::infinity();
   while (newton_.solve(load, spring, answer)) {
     const bool is_own =
@@ -120,9 +130,7 @@ void AugmentedLagrangian::solve(const mechanics::LoadTarget& load,
     last = answer.residual;
     // The part of a pressure that the working penalty does not represent in the
     // gap.
-    const double kept = 1.0 - spring.penalty * compliance;
-    for (std::size_t i = 0; i < state_.multiplier.size(); ++i)
-      state_.multiplier[i] = kept * (state_.pressure[i] + missing);
+    keep_pressure(1.0 - spring.penalty * compliance, missing);
   }
 }
 
@@ -287,7 +295,7 @@ bool SpringNewton::iterate(const mechanics::LoadTarget& load,
     for (std::size_t i = 0; i < springs.size(); ++i)
       springs[i] = before[i] ? penalty * state_.points()[i].area : 0.0;
     std::optional<ContactState::Placement> start;
-    if (is_cycling && is_load)
+    if (is_load && (is_cycling || !state_.is_elastic()))
       start = state_.placement();
     if (!step_.take(load, springs, nothing, iteration.accuracy_on_springs())) {
       if (!iteration.is_cycling()) { // a full step may lead anywhere
@@ -358,13 +366,12 @@ void SpringNewton::shorten_step(const ContactState::Placement& before,
             : start + share * increase;
     return total - contact_work(before, share, penalty);
   };
-  if (derivative(0.0) >= 0.0 || derivative(1.0) <= 0.0)
-    return;
   double low = 0.0;
   double high = 1.0;
+  const bool is_between = derivative(0.0) < 0.0 && derivative(1.0) > 0.0;
   const int most =
       state_.material() != nullptr ? halvings_by_material : halvings;
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; is_between && i < most; ++i) {
     const double middle = 0.5 * (low + high);
     (derivative(middle) > 0.0 ? high : low) = middle;
   }

@@ -17,7 +17,8 @@ namespace asperity::fem {
 ///     p = (lambda - k gap)+,
 ///
 /// until C does not change and the forces balance. t is 1, or the minimum of
-/// the energy along the step if full steps cycle (ContactIteration).
+/// the energy along the step if full steps cycle (ContactIteration) or the
+/// material flows under a prescribed load.
 class SpringNewton {
 public:
   /// Both must outlive this object.
@@ -61,7 +62,9 @@ private:
 ///     lambda <- (1 - k/k_0) p,
 ///
 /// until no gap in contact differs from -p/k_0 by more than the tolerance. k is
-/// k_0 where that is within its bounds; one solution then suffices.
+/// k_0 where that is within its bounds; one solution then suffices. The first
+/// lambda is 0, or (1 - k/k_0) times the present pressure where the material
+/// flows: the pressures on the way would be a loading path of the material.
 class AugmentedLagrangian {
 public:
   /// All arguments must outlive this object.
@@ -74,6 +77,7 @@ public:
              double height_scale, BlockSolution& answer);
 
 private:
+  void keep_pressure(double share, double more = 0.0);
   double first_penalty(const BlockContact& contact) const;
   double stiffest_penalty(double tolerance) const;
   double stiffer_penalty(const BlockContact& working,

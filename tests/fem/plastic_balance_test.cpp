@@ -48,11 +48,12 @@ BlockProblem yielding_boxes(int degree, int points = 8,
   return problem;
 }
 
-BlockSolution press(FullBlock& block, double share_of_modulus) {
+BlockSolution press(FullBlock& block, double share_of_modulus,
+                    mechanics::ContactLaw law = mechanics::ContactLaw::hard) {
   const BlockSolution found = block.solve(
       hills(block.grid()),
       {mechanics::Control::nominal_pressure, share_of_modulus * soft_modulus},
-      {mechanics::ContactLaw::hard, 1e3 * soft_modulus / length, 1e-10, 300});
+      {law, 1e3 * soft_modulus / length, 1e-10, 300});
   EXPECT_TRUE(found.converged) << found.note;
   return found;
 }
@@ -263,6 +264,25 @@ TEST(PlasticBalance, FindsContactsThatFlowWidens) {
 
   EXPECT_GT(found.area_by_points, 2.0 * elastic.area_by_points);
   EXPECT_LE(found.iterations, 40);
+}
+
+// Springs with multipliers find the contact of the active set, under a layer of
+// 400 times the modulus that flows in bending.
+TEST(PlasticBalance, HasTheContactOfTheActiveSetBySprings) {
+  BlockProblem problem = yielding_boxes(2);
+  problem.moduli.add_layer(
+      0.1 * length, moduli(mechanics::BodyModuli{400.0 * soft_modulus, 0.0}));
+  MeshedBlock held(problem);
+  MeshedBlock sprung(problem);
+  for (const double load : {1e-3, 2e-3, 2.02e-3}) {
+    const BlockSolution expected = press(held, load);
+    const BlockSolution found =
+        press(sprung, load, mechanics::ContactLaw::augmented);
+
+    EXPECT_GT(expected.of_material.at("plastic_strain"), 0.0);
+    expect_equal(found, expected, 1e-7, 1e-7);
+    EXPECT_EQ(found.area_by_points, expected.area_by_points);
+  }
 }
 
 // Load steps of half the size change the gap by less and less. Tolerance:
