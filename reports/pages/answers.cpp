@@ -121,6 +121,20 @@ mechanics::Roughness judged_roughness(const cases::Case& contact_case,
 /// stick: without a jump the way back is the way there.
 constexpr double least_loss = 0.01;
 
+/// Whether a path in and back ends its approach in tension: from further in,
+/// the faces may hold more.
+bool is_never_pressed(const results::MethodRecord& method) {
+  return std::ranges::any_of(
+      method.realizations, [](const results::Curve& curve) {
+        return std::ranges::any_of(curve.points,
+                                   &results::CurvePoint::is_unloading) &&
+               std::ranges::all_of(curve.points,
+                                   [](const results::CurvePoint& row) {
+                                     return row.nominal_pressure < 0.0;
+                                   });
+      });
+}
+
 /// Whether the faces stick, by what a closed path loses and otherwise by the
 /// criterion: the sentence of a method with adhesion, else "".
 std::string adhesive_sentence(const ReportEntry& entry,
@@ -159,7 +173,11 @@ std::string adhesive_sentence(const ReportEntry& entry,
   const std::string joint = lost >= least_loss ? ", and" : ":";
   if (is_known && tension->second.has_value())
     words += joint + " the largest tension is " +
-             pressure_in_pascal(tension->second.value * modulus);
+             (is_never_pressed(method) ? "at least " : "") +
+             pressure_in_pascal(tension->second.value * modulus) +
+             (is_never_pressed(method)
+                  ? ", because the path turns back before the faces bear a load"
+                  : "");
   else if (is_known)
     words += joint + " the largest tension is not known, because " +
              tension->second.remark;

@@ -104,39 +104,50 @@ std::string grid_words(const ReportEntry& entry) {
   return words;
 }
 
-/// Nominal pressures of all methods.
+/// The prescribed loads of all methods.
 struct Loads {
+  bool are_gaps = false; ///< and not nominal pressures
   std::size_t steps = 0;
-  double least = not_a_number;   // [Pa]
-  double largest = not_a_number; // [Pa]
+  double least = not_a_number;   ///< [Pa] or [m]
+  double largest = not_a_number; ///< [Pa] or [m]
 };
 
-Loads loads_of(const results::Result& result) {
+Loads loads_of(const ReportEntry& entry) {
+  const results::Result& result = *entry.result;
   Loads loads;
+  loads.are_gaps =
+      !result.case_text.empty() &&
+      entry.contact_case->load.control == mechanics::Control::mean_gap;
   for (const results::MethodRecord& method : result.methods)
     for (const results::Curve& curve : method.realizations) {
       loads.steps = std::max(loads.steps, curve.points.size());
       for (const results::CurvePoint& point : curve.points) {
-        loads.least = std::fmin(loads.least, point.nominal_pressure);
-        loads.largest = std::fmax(loads.largest, point.nominal_pressure);
+        const double load =
+            loads.are_gaps ? point.mean_gap : point.nominal_pressure;
+        loads.least = std::fmin(loads.least, load);
+        loads.largest = std::fmax(loads.largest, load);
       }
     }
   return loads;
 }
 
-std::string load_words(const results::Result& result) {
-  const auto [steps, least, largest] = loads_of(result);
+std::string load_words(const ReportEntry& entry) {
+  const auto [are_gaps, steps, least, largest] = loads_of(entry);
   if (steps == 0)
     return "";
-  const double modulus = result.contact_modulus;
-  if (!(largest > least * (1.0 + 1e-9)) || steps == 1)
-    return fmt::format("; {} load step{}, {} (p/E* = {:.3g})", steps,
-                       steps == 1 ? "" : "s", quantity_text(least, "Pa", 3),
-                       least / modulus);
-  return fmt::format("; {} load steps, {} to {} (p/E* from {:.3g} to {:.3g})",
-                     steps, quantity_text(least, "Pa", 3),
-                     quantity_text(largest, "Pa", 3), least / modulus,
-                     largest / modulus);
+  const double modulus = entry.result->contact_modulus;
+  const bool is_one = !(largest > least * (1.0 + 1e-9)) || steps == 1;
+  std::string words =
+      fmt::format("; {} load step{}, {}{}", steps, steps == 1 ? "" : "s",
+                  are_gaps ? is_one ? "mean gap " : "mean gaps " : "",
+                  quantity_text(least, are_gaps ? "m" : "Pa", 3));
+  if (!is_one)
+    words += " to " + quantity_text(largest, are_gaps ? "m" : "Pa", 3);
+  if (are_gaps)
+    return words;
+  return words + (is_one ? fmt::format(" (p/E* = {:.3g})", least / modulus)
+                         : fmt::format(" (p/E* from {:.3g} to {:.3g})",
+                                       least / modulus, largest / modulus));
 }
 
 /// Puts what follows the first comma into parentheses.
@@ -210,9 +221,16 @@ std::string surface_sentence(const ReportEntry& entry) {
 
 std::string setup_sentences(const ReportEntry& entry) {
   const double modulus = entry.result->contact_modulus;
-  const auto [steps, least, largest] = loads_of(*entry.result);
+  const auto [are_gaps, steps, least, largest] = loads_of(entry);
   std::string words = surface_sentence(entry);
-  if (steps == 1)
+  if (are_gaps)
+    words += steps == 1
+                 ? fmt::format(" The mean gap was {}.",
+                               quantity_text(largest, "m", 3))
+                 : fmt::format(" The mean gap had {} values from {} to {}.",
+                               steps, quantity_text(least, "m", 3),
+                               quantity_text(largest, "m", 3));
+  else if (steps == 1)
     words +=
         fmt::format(" The nominal pressure was {:.3g} E*.", largest / modulus);
   else if (steps > 1)
@@ -226,15 +244,14 @@ std::string case_sentence(const ReportEntry& entry) {
   const results::MethodRecord* const first =
       entry.result->methods.empty() ? nullptr : &entry.result->methods.front();
   if (first != nullptr && first->kind == measured_kind)
-    return fmt::format("A {}{}.", first->description,
-                       load_words(*entry.result));
+    return fmt::format("A {}{}.", first->description, load_words(entry));
   return fmt::format(
       "An elastic block, E* = {}, pressed against a rigid {}{}{}.",
       quantity_text(entry.result->contact_modulus, "Pa"),
       entry.result->case_text.empty()
           ? "surface"
           : surface_words(entry.contact_case->surface),
-      grid_words(entry), load_words(*entry.result));
+      grid_words(entry), load_words(entry));
 }
 
 } // namespace asperity::reports

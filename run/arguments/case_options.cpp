@@ -204,7 +204,8 @@ private:
   }
 
   /// The exponential law, and for maps their loads: mean gaps from 4 h_rms to
-  /// 0.5 h_rms and back, or pressures from 0.001 E* h' to 0.3 E* h' and back.
+  /// 0.1 h_rms, where most sticky faces bear a load, and back, or pressures
+  /// from 0.001 E* h' to 0.3 E* h' and back.
   void add_adhesion() {
     put("halfspace.contact", "\"exponential\"");
     if (!asked_.are_maps || options_.has("--pressure"))
@@ -215,8 +216,15 @@ private:
                                 R"(steps = 10, spacing = "log" })"
                               : "");
     if (!asked_.has_free_edges)
-      put("load.mean_gap", R"({ from = "4 h_rms", to = "0.5 h_rms", )"
-                           R"(steps = 15, spacing = "linear" })");
+      put("load.mean_gap", adhesive_gaps());
+  }
+
+  static std::string adhesive_gaps() {
+    std::string list;
+    for (const double gap : {4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.75, 0.5, 0.4,
+                             0.3, 0.25, 0.2, 0.15, 0.1})
+      list += fmt::format("{}\"{} h_rms\"", list.empty() ? "[" : ", ", gap);
+    return list + "]";
   }
 
   const CaseOptions& options_;

@@ -28,7 +28,7 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
   const Ended pulled = run(command + "\"50 mJ/m^2\" --out pulled");
   ASSERT_EQ(pulled.exit_code, 0) << pulled.output;
   const std::string page = text_of(folder / "pulled/report.html");
-  EXPECT_NE(page.find("It sticks: 1.1 % of the work of adhesion is lost on the "
+  EXPECT_NE(page.find("It sticks: 2.2 % of the work of adhesion is lost on the "
                       "way in and back, and the largest tension is "),
             std::string::npos);
   EXPECT_NE(page.find("adhesion of 50 mJ/m² over 2.5 nm"), std::string::npos);
@@ -38,6 +38,18 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
   EXPECT_LT(page.find("Approach and retraction with adhesion"),
             page.find("Pressure against separation")) // and leads the page
       << page.size();
+
+  EXPECT_NE(page.find("29 load steps, mean gaps "), std::string::npos);
+  const std::string bound = ", because the path turns back before the faces "
+                            "bear a load";
+  EXPECT_NE(page.find("the largest tension is at least 13.7 MPa" + bound),
+            std::string::npos);
+  const Ended deep = run(command + "\"50 mJ/m^2\" --out deep "
+                                   "--set 'load.mean_gap=[\"1 h_rms\", "
+                                   "\"0.4 h_rms\", \"0.01 h_rms\"]'");
+  EXPECT_NE(deep.output.find("the largest tension is 1"), std::string::npos)
+      << deep.output;
+  EXPECT_EQ(deep.output.find(bound), std::string::npos);
 
   const Ended wrong = run(command + "\"50 mJ\"");
   EXPECT_EQ(wrong.exit_code, 2);

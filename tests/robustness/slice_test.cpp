@@ -115,6 +115,18 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+// Full steps of Newton's method on a coating that yields leave for 2e4 times
+// the load.
+TEST(Slice, FindsTheContactOfAYieldingCoating) {
+  Instance instance = kept("yielding-coating");
+  instance.labels["metamorphic pair"] = "none"; // no direct solver flows
+  const InstanceReport report = run_instance(instance);
+
+  EXPECT_EQ(report.outcome, Outcome::verified)
+      << report.check << ": " << report.reason;
+  EXPECT_LT(report.iterations, 200);
+}
+
 // Problems without a solution, or whose forces cannot be represented, say so.
 // Of the last one, a gap three times as large is found (gap-above-least).
 TEST(Slice, SaysWhyThereIsNoSolution) {
