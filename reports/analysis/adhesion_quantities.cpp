@@ -33,14 +33,19 @@ double largest_tension(const std::vector<CurvePoint>& rows) {
 }
 
 /// The largest tension of a path over E*, which one that was interrupted has
-/// not reached.
+/// not reached, and one whose loads all press does not show.
 FittedValue pull_off(const results::Curve& curve,
                      const cases::Case& contact_case, double contact_modulus) {
   const std::size_t steps = contact_case.load.targets.size();
   if (curve.points.size() < steps)
     return {.reason = fmt::format("the path has {} of its {} steps",
                                   curve.points.size(), steps)};
-  return {.value = largest_tension(converged_rows(curve)) / contact_modulus};
+  const std::vector<CurvePoint> rows = converged_rows(curve);
+  if (std::ranges::all_of(rows, [](const CurvePoint& row) {
+        return row.nominal_pressure > 0.0;
+      }))
+    return {.reason = "no load of the path pulls"};
+  return {.value = largest_tension(rows) / contact_modulus};
 }
 
 /// -sum p du by the trapezoidal rule [J/m^2]; NaN for a path that does not

@@ -121,18 +121,21 @@ mechanics::Roughness judged_roughness(const cases::Case& contact_case,
 /// stick: without a jump the way back is the way there.
 constexpr double least_loss = 0.01;
 
-/// Whether a path in and back ends its approach in tension: from further in,
-/// the faces may hold more.
-bool is_never_pressed(const results::MethodRecord& method) {
-  return std::ranges::any_of(
-      method.realizations, [](const results::Curve& curve) {
-        return std::ranges::any_of(curve.points,
-                                   &results::CurvePoint::is_unloading) &&
-               std::ranges::all_of(curve.points,
-                                   [](const results::CurvePoint& row) {
-                                     return row.nominal_pressure < 0.0;
-                                   });
-      });
+/// Why faces may hold more than the largest tension of a path; "" if its
+/// maximum was passed.
+std::string why_more_may_hold(const results::MethodRecord& method) {
+  for (const results::Curve& curve : method.realizations) {
+    const std::vector<results::CurvePoint>& rows = curve.points;
+    const auto [least, largest] = std::ranges::minmax_element(
+        rows, {}, &results::CurvePoint::nominal_pressure);
+    if (rows.empty() || !(least->nominal_pressure < 0.0))
+      continue;
+    if (least + 1 == rows.end())
+      return "because the faces hold it at the end of the path";
+    if (largest->nominal_pressure < 0.0)
+      return "because the path turns back before the faces bear a load";
+  }
+  return "";
 }
 
 /// Whether the faces stick, by what a closed path loses and otherwise by the
@@ -157,9 +160,12 @@ std::string adhesive_sentence(const ReportEntry& entry,
                ? not_a_number
                : found->second.value;
   };
-  const double lost = number("dissipated_energy");
   const auto tension = summary->quantities.find("pull_off_pressure");
   const bool is_known = tension != summary->quantities.end();
+  // A path without tension comes back to the contact where it began.
+  const double lost = is_known && tension->second.has_value()
+                          ? number("dissipated_energy")
+                          : not_a_number;
   std::string words =
       std::isfinite(lost)
           ? lost >= least_loss ? "It sticks" : "It does not stick"
@@ -171,13 +177,12 @@ std::string adhesive_sentence(const ReportEntry& entry,
                          "and back",
                          digits_text(100.0 * lost, 2));
   const std::string joint = lost >= least_loss ? ", and" : ":";
+  const std::string bound = why_more_may_hold(method);
   if (is_known && tension->second.has_value())
     words += joint + " the largest tension is " +
-             (is_never_pressed(method) ? "at least " : "") +
+             (bound.empty() ? "" : "at least ") +
              pressure_in_pascal(tension->second.value * modulus) +
-             (is_never_pressed(method)
-                  ? ", because the path turns back before the faces bear a load"
-                  : "");
+             (bound.empty() ? "" : ", " + bound);
   else if (is_known)
     words += joint + " the largest tension is not known, because " +
              tension->second.remark;

@@ -204,26 +204,36 @@ private:
   }
 
   /// The exponential law, and for maps their loads: mean gaps from 4 h_rms to
-  /// 0.1 h_rms, where most sticky faces bear a load, and back, or pressures
-  /// from 0.001 E* h' to 0.3 E* h' and back.
+  /// 0.1 h_rms, where most sticky faces bear a load, and back; or with free
+  /// edges, pressures up to 0.3 E* h' and back, and tensions until the faces
+  /// part, at which the theory without adhesion has no state.
   void add_adhesion() {
     put("halfspace.contact", "\"exponential\"");
     if (!asked_.are_maps || options_.has("--pressure"))
       return;
+    if (asked_.has_free_edges) {
+      put("theory", "");
+      put("load.cycle", "");
+      put("load.nominal_pressure",
+          list_of({0.001, 0.003, 0.01,  0.03,  0.1,  0.3,    0.1,
+                   0.03,  0.01,  0.003, 0.001, 0.0,  -0.001, -0.003,
+                   -0.01, -0.03, -0.1,  -0.3,  -1.0, -3.0},
+                  "E* h'"));
+      return;
+    }
     put("load.cycle", "\"load-unload\"");
-    put("load.nominal_pressure",
-        asked_.has_free_edges ? R"({ from = "0.001 E* h'", to = "0.3 E* h'", )"
-                                R"(steps = 10, spacing = "log" })"
-                              : "");
-    if (!asked_.has_free_edges)
-      put("load.mean_gap", adhesive_gaps());
+    put("load.nominal_pressure", "");
+    put("load.mean_gap", list_of({4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.75, 0.5,
+                                  0.4, 0.3, 0.25, 0.2, 0.15, 0.1},
+                                 "h_rms"));
   }
 
-  static std::string adhesive_gaps() {
+  static std::string list_of(const std::vector<double>& values,
+                             const char* unit) {
     std::string list;
-    for (const double gap : {4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.75, 0.5, 0.4,
-                             0.3, 0.25, 0.2, 0.15, 0.1})
-      list += fmt::format("{}\"{} h_rms\"", list.empty() ? "[" : ", ", gap);
+    for (const double value : values)
+      list +=
+          fmt::format("{}\"{} {}\"", list.empty() ? "[" : ", ", value, unit);
     return list + "]";
   }
 

@@ -64,10 +64,13 @@ public:
       lines_.push_back(line);
   }
 
-  /// @param entry  "table.key=value"; an empty value removes the key
+  /// @param entry  "table.key=value"; an empty value removes the key, and
+  ///               "table=" the table
   void put(const std::string& entry) {
     const std::size_t equals = entry.find('=');
     const std::size_t dot = entry.rfind('.', equals);
+    if (dot == entry.npos)
+      return remove_table("[" + entry.substr(0, equals) + "]");
     const std::string value = entry.substr(equals + 1);
     const std::string key = entry.substr(dot + 1, equals - dot - 1) + " = ";
     const auto table = table_called("[" + entry.substr(0, dot) + "]");
@@ -95,6 +98,17 @@ public:
   }
 
 private:
+  /// Removes a table with the comment before it and the empty line behind it.
+  void remove_table(const std::string& head) {
+    auto begin = std::ranges::find(lines_, head);
+    if (begin == lines_.end())
+      return;
+    const auto end = std::find(begin, lines_.end(), "") + 1;
+    while (begin[-1].starts_with('#'))
+      --begin;
+    lines_.erase(begin, end);
+  }
+
   std::vector<std::string>::iterator table_called(const std::string& head) {
     if (const auto found = std::ranges::find(lines_, head);
         found != lines_.end())

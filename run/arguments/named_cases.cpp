@@ -173,6 +173,21 @@ std::string name_with_folder(std::filesystem::path file,
   return file.parent_path().filename().string() + "-" + name;
 }
 
+/// An override "key=value" as a line of TOML, in which a word that is no TOML
+/// value is a text.
+std::string toml_entry(const std::string& entry) {
+  const std::size_t equals = entry.find('=');
+  const std::string value = entry.substr(equals + 1);
+  if (value.empty())
+    return entry;
+  try {
+    cases::parse_toml_value(value, {}, entry.substr(0, equals));
+    return entry;
+  } catch (const input::InputError&) {
+    return entry.substr(0, equals + 1) + cases::toml_value(value);
+  }
+}
+
 void rename_case(NamedCases& named, const std::string& name) {
   named.found.cases.front().name = name;
   if (named.sweep)
@@ -223,8 +238,10 @@ std::string text_of_map(const std::string& file, const CaseOptions& options,
                         const std::vector<std::string>& overrides,
                         const std::filesystem::path& path) {
   NamedMaps maps{{path_of_map(file)}, {}, {}};
-  return map_case_text(path_of_map(file, path.parent_path().string()),
-                       entries_of_maps(maps, overrides, options, path));
+  std::vector<std::string> entries =
+      entries_of_maps(maps, overrides, options, path);
+  std::ranges::transform(overrides, std::back_inserter(entries), toml_entry);
+  return map_case_text(path_of_map(file, path.parent_path().string()), entries);
 }
 
 bool is_of_maps(const NamedSweep& sweep) {

@@ -51,6 +51,13 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
       << deep.output;
   EXPECT_EQ(deep.output.find(bound), std::string::npos);
 
+  const Ended pressed =
+      run(command + "\"50 mJ/m^2\" --pressure \"100 MPa\" --out pressed");
+  EXPECT_NE(pressed.output.find("It sticks: the largest tension is not known, "
+                                "because no load of the path pulls"),
+            std::string::npos)
+      << pressed.output;
+
   const Ended wrong = run(command + "\"50 mJ\"");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.output.find("--work-of-adhesion = \"50 mJ\" has the unit "
@@ -65,6 +72,34 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
   EXPECT_NE(fine.output.find("or a map with a spacing of at most 4e-08 m"),
             std::string::npos)
       << fine.output;
+}
+
+// With free edges loads are pressures, and go on to tensions until the faces
+// part; the case that `new` writes has what --set says.
+TEST_F(AdhesionTest, AMapWithFreeEdgesIsPulledUntilItParts) {
+  write("map.txt", bump());
+  const Ended made =
+      run("new free --map map.txt --length \"1 um\" --height-unit nm "
+          "--contact-modulus \"2 GPa\" --work-of-adhesion \"50 mJ/m^2\" "
+          "--set surface.edges=free");
+  ASSERT_EQ(made.exit_code, 0) << made.output;
+  const std::string text = text_of(folder / "free/case.toml");
+  EXPECT_NE(text.find("\nedges = \"free\"\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("[theory]"), std::string::npos) << text;
+  const Ended pulled = run("run free --out pulled");
+  ASSERT_EQ(pulled.exit_code, 0) << pulled.output;
+  EXPECT_NE(pulled.output.find("detached: the contact does not hold"),
+            std::string::npos)
+      << pulled.output;
+  EXPECT_NE(pulled.output.find("the largest tension is 1"), std::string::npos)
+      << pulled.output;
+  const Ended held =
+      run("run free --out held --set 'load.nominal_pressure=[\"1 MPa\", "
+          "\"-0.1 MPa\"]'");
+  EXPECT_NE(held.output.find("the largest tension is at least 100 kPa, because "
+                             "the faces hold it at the end of the path"),
+            std::string::npos)
+      << held.output;
 }
 
 // Without an open node there is no smallest stiffness, and the result can be
