@@ -200,69 +200,46 @@ public:
   explicit Layout(Stream& stream) : stream_(stream) {}
 
   void pass(Change& change) {
-    pass(change.status);
-    pass(change.provenance);
-    pass(change.surfaces);
-    pass(change.methods);
-    pass(change.tables);
-    pass(change.skipped);
+    all(change.status, change.provenance, change.surfaces, change.methods,
+        change.tables, change.skipped);
   }
 
 private:
+  template <class... Parts>
+  void all(Parts&... parts) {
+    (pass(parts), ...);
+  }
+
   void pass(MethodChange& method) {
-    stream_.text(method.name);
-    stream_.number(method.realization);
-    pass(method.kind);
-    pass(method.description);
-    pass(method.contact);
-    pass(method.setup_cpu_time);
-    pass(method.own_surface);
-    pass(method.fields);
-    pass(method.points);
+    all(method.name, method.realization, method.kind, method.description,
+        method.contact, method.setup_cpu_time, method.own_surface,
+        method.fields, method.points);
   }
 
   void pass(SurfaceChange& change) {
     SurfaceRecord& surface = change.record;
-    pass(surface.grid);
-    pass(surface.map);
+    all(surface.grid, surface.map);
     stream_.template map<double>(change.heights, surface.grid);
-    for (double* number :
-         {&surface.rms_height, &surface.rms_slope, &surface.rms_curvature,
-          &surface.skewness, &surface.kurtosis, &surface.highest})
-      stream_.number(*number);
-    pass(surface.spectrum);
+    all(surface.rms_height, surface.rms_slope, surface.rms_curvature,
+        surface.skewness, surface.kurtosis, surface.highest, surface.spectrum);
   }
 
   void pass(Grid& grid) {
-    stream_.number(grid.points_x);
-    stream_.number(grid.points_y);
-    stream_.number(grid.length_x);
-    stream_.number(grid.length_y);
+    all(grid.points_x, grid.points_y, grid.length_x, grid.length_y);
   }
 
-  void pass(MapInCell& map) {
-    stream_.number(map.columns);
-    stream_.number(map.rows);
-  }
+  void pass(MapInCell& map) { all(map.columns, map.rows); }
 
-  void pass(SpectrumPoint& point) {
-    stream_.number(point.wavevector);
-    stream_.number(point.spectrum);
-  }
+  void pass(SpectrumPoint& point) { all(point.wavevector, point.spectrum); }
 
   void pass(FieldsChange& fields) {
-    stream_.number(fields.step);
-    stream_.number(fields.nominal_pressure);
-    pass(fields.grid);
-    pass(fields.map);
-    stream_.flag(fields.has_double_maps);
-    if (fields.has_double_maps) {
-      stream_.template map<double>(fields.pressure, fields.grid);
-      stream_.template map<double>(fields.gap, fields.grid);
-    } else {
-      stream_.template map<float>(fields.pressure, fields.grid);
-      stream_.template map<float>(fields.gap, fields.grid);
-    }
+    all(fields.step, fields.nominal_pressure, fields.grid, fields.map,
+        fields.has_double_maps);
+    for (ChangeMap* const map : {&fields.pressure, &fields.gap})
+      if (fields.has_double_maps)
+        stream_.template map<double>(*map, fields.grid);
+      else
+        stream_.template map<float>(*map, fields.grid);
   }
 
   /// A row is the names of its columns with their numbers.
@@ -281,22 +258,11 @@ private:
     stream_.text(point.note);
   }
 
-  void pass(Table& table) {
-    stream_.text(table.name);
-    stream_.text(table.title);
-    pass(table.columns);
-  }
+  void pass(Table& table) { all(table.name, table.title, table.columns); }
 
-  void pass(Column& column) {
-    stream_.text(column.name);
-    stream_.text(column.unit);
-    stream_.numbers(column.values);
-  }
+  void pass(Column& column) { all(column.name, column.unit, column.values); }
 
-  void pass(Skipped& skipped) {
-    stream_.text(skipped.what);
-    stream_.text(skipped.why);
-  }
+  void pass(Skipped& skipped) { all(skipped.what, skipped.why); }
 
   void pass(std::string& text) { stream_.text(text); }
 
@@ -304,10 +270,13 @@ private:
 
   void pass(int& number) { stream_.number(number); }
 
+  void pass(bool& flag) { stream_.flag(flag); }
+
+  void pass(std::vector<double>& numbers) { stream_.numbers(numbers); }
+
   template <class First, class Second>
   void pass(std::pair<First, Second>& both) {
-    pass(both.first);
-    pass(both.second);
+    all(both.first, both.second);
   }
 
   template <class Item>
@@ -322,7 +291,7 @@ private:
   template <class Value>
   void pass(std::optional<Value>& value) {
     bool is_there = value.has_value();
-    stream_.flag(is_there);
+    pass(is_there);
     if (is_there && !value)
       value.emplace();
     if (is_there)
