@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace asperity::reports {
 namespace {
@@ -14,71 +15,58 @@ namespace {
 using mechanics::SurfaceKind;
 using mechanics::SurfaceSpec;
 
-/// Largest diameter of a contact in a square array over the period, for which
-/// square_array_contact() is accurate to 0.3 %.
+/// Largest diameter of a contact in a square array over the period: for which
+/// square_array_contact() is accurate to 0.3 %, and, of contacts whose images
+/// are point loads, to (a/L)^3.
 constexpr double widest_in_array = 0.6;
-
-ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
-                     double nominal_pressure, double surface_top,
-                     bool is_free) {
-  ExactPoint exact;
-  if (!surface.length)
-    return exact;
-  const double side = *surface.length;
-  const double load = nominal_pressure * side * side;
-  const theory::HertzContact spot =
-      sphere_contact(surface, contact_modulus, load, is_free);
-  if (2.0 * spot.contact_radius > (is_free ? 1.0 : widest_in_array) * side)
-    return exact; // the contact reaches the border or is close to the images
-  exact.contact_radius = spot.contact_radius;
-  exact.approach =
-      theory::hertz_contact(load, surface.radius, contact_modulus).approach;
-  exact.area_fraction = std::numbers::pi * spot.contact_radius *
-                        spot.contact_radius / (side * side);
-  if (is_free)
-    exact.elastic_energy = spot.elastic_energy / (side * side);
-  exact.mean_gap = surface_top - exact.approach +
-                   approach_excess(surface, contact_modulus, load, is_free);
-  return exact;
-}
-
-ExactPoint on_punch(const SurfaceSpec& surface, double contact_modulus,
-                    double nominal_pressure, double surface_top, bool is_free) {
-  ExactPoint exact;
-  if (!surface.length ||
-      nominal_pressure >= touching_pressure(surface, contact_modulus, is_free))
-    return exact;
-  const double side = *surface.length;
-  const double load = nominal_pressure * side * side;
-  const theory::PunchContact punch =
-      theory::FlatPunch(surface.radius, contact_modulus).contact(load);
-  if (punch.approach < 2.0 * surface.radius * std::abs(surface.tilt))
-    return exact; // the edge of the end lifts
-  exact.contact_radius = punch.contact_radius;
-  exact.area_fraction = std::numbers::pi * punch.contact_radius *
-                        punch.contact_radius / (side * side);
-  if (surface.tilt != 0.0)
-    return exact; // of the approach, only that of the middle is known
-  exact.approach = punch.approach;
-  if (is_free)
-    exact.elastic_energy = 0.5 * load * punch.approach / (side * side);
-  exact.mean_gap = surface_top - punch.approach +
-                   approach_excess(surface, contact_modulus, load, is_free);
-  return exact;
-}
-
-/// Widest contact of an array over the period whose images are point loads, to
-/// (a/L)^3.
 constexpr double widest_of_point_loads = 0.2;
 
-/// Of a cone or a rounded punch.
-theory::PunchContact spot_of(const SurfaceSpec& surface, double contact_modulus,
-                             double load) {
-  return surface.kind == SurfaceKind::cone
-             ? theory::Cone(surface.slope, contact_modulus).contact(load)
-             : theory::RoundedPunch(surface.radius, surface.edge_radius,
-                                    contact_modulus)
-                   .contact(load);
+/// The contact of one indenter.
+struct IndenterContact {
+  double radius = 0.0;
+  double approach = 0.0; ///< if it is alone
+  double energy = 0.0;   ///< likewise [J]; NaN: not known
+};
+
+/// The contact under a load; nothing where the solution does not hold.
+std::optional<IndenterContact> indenter_contact(const SurfaceSpec& surface,
+                                                double contact_modulus,
+                                                double load, bool is_free) {
+  const double side = *surface.length;
+  // Whether the contact is inside the square, and apart from its images.
+  const auto fits = [&](double radius, double widest) {
+    return 2.0 * radius <= (is_free ? 1.0 : widest) * side;
+  };
+  if (surface.kind == SurfaceKind::sphere) {
+    const theory::HertzContact spot =
+        sphere_contact(surface, contact_modulus, load, is_free);
+    if (!fits(spot.contact_radius, widest_in_array))
+      return {};
+    return IndenterContact{
+        spot.contact_radius,
+        theory::hertz_contact(load, surface.radius, contact_modulus).approach,
+        spot.elastic_energy};
+  }
+  if (surface.kind == SurfaceKind::punch) {
+    const theory::PunchContact spot =
+        theory::FlatPunch(surface.radius, contact_modulus).contact(load);
+    if (load / (side * side) >=
+            touching_pressure(surface, contact_modulus, is_free) ||
+        spot.approach < 2.0 * surface.radius * std::abs(surface.tilt))
+      return {}; // the recess touches, or the edge of the end lifts
+    return IndenterContact{spot.contact_radius, spot.approach,
+                           0.5 * load * spot.approach};
+  }
+  const bool is_cone = surface.kind == SurfaceKind::cone;
+  const theory::PunchContact spot =
+      is_cone ? theory::Cone(surface.slope, contact_modulus).contact(load)
+              : theory::RoundedPunch(surface.radius, surface.edge_radius,
+                                     contact_modulus)
+                    .contact(load);
+  if (!fits(spot.contact_radius, widest_of_point_loads))
+    return {};
+  return IndenterContact{spot.contact_radius, spot.approach,
+                         is_cone ? load * spot.approach / 3.0 : not_a_number};
 }
 
 ExactPoint on_indenter(const SurfaceSpec& surface, double contact_modulus,
@@ -87,19 +75,19 @@ ExactPoint on_indenter(const SurfaceSpec& surface, double contact_modulus,
   ExactPoint exact;
   if (!surface.length)
     return exact;
-  const double side = *surface.length;
-  const double load = nominal_pressure * side * side;
-  const theory::PunchContact spot = spot_of(surface, contact_modulus, load);
-  if (2.0 * spot.contact_radius >
-      (is_free ? 1.0 : widest_of_point_loads) * side)
+  const double area = *surface.length * *surface.length;
+  const double load = nominal_pressure * area;
+  const auto spot = indenter_contact(surface, contact_modulus, load, is_free);
+  if (!spot)
     return exact;
-  exact.contact_radius = spot.contact_radius;
-  exact.approach = spot.approach;
-  exact.area_fraction = std::numbers::pi * spot.contact_radius *
-                        spot.contact_radius / (side * side);
-  if (is_free && surface.kind == SurfaceKind::cone)
-    exact.elastic_energy = load * spot.approach / (3.0 * side * side);
-  exact.mean_gap = surface_top - spot.approach +
+  exact.contact_radius = spot->radius;
+  exact.area_fraction = std::numbers::pi * spot->radius * spot->radius / area;
+  if (surface.tilt != 0.0)
+    return exact; // of the approach, only that of the middle is known
+  exact.approach = spot->approach;
+  if (is_free)
+    exact.elastic_energy = spot->energy / area;
+  exact.mean_gap = surface_top - spot->approach +
                    approach_excess(surface, contact_modulus, load, is_free);
   return exact;
 }
@@ -134,11 +122,7 @@ ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
                        bool is_free) {
   switch (surface.kind) {
   case SurfaceKind::sphere:
-    return on_sphere(surface, contact_modulus, nominal_pressure, surface_top,
-                     is_free);
   case SurfaceKind::punch:
-    return on_punch(surface, contact_modulus, nominal_pressure, surface_top,
-                    is_free);
   case SurfaceKind::cone:
   case SurfaceKind::rounded_punch:
     return on_indenter(surface, contact_modulus, nominal_pressure, surface_top,
