@@ -123,28 +123,24 @@ private:
 results::Table stress_table(const std::string& method,
                             const methods::StressUnderMaps& stress,
                             std::span<const results::Fields> maps) {
-  results::Column pressure{"nominal_pressure", "Pa", {}};
-  results::Column strongest{"von_mises", "Pa", {}};
-  results::Column shear{"largest_shear", "Pa", {}};
-  results::Column depth{"depth", "m", {}};
-  results::Column x{"x", "m", {}};
-  results::Column y{"y", "m", {}};
+  results::Table table{"stress-inside-" + method,
+                       "The maximum stress below the contact surface, " +
+                           method,
+                       {{"nominal_pressure", "Pa"},
+                        {"von_mises", "Pa"},
+                        {"largest_shear", "Pa"},
+                        {"depth", "m"},
+                        {"x", "m"},
+                        {"y", "m"}}};
   for (const results::Fields& map : maps) {
     const auto [peak, largest_shear] = stress.strongest(map);
     const std::size_t columns = static_cast<std::size_t>(map.grid.points_x);
-    pressure.values.push_back(map.nominal_pressure);
-    strongest.values.push_back(peak.von_mises);
-    shear.values.push_back(largest_shear);
-    depth.values.push_back(peak.depth);
     const std::size_t node = map.map.node_on_map(peak.node, map.grid);
-    const std::size_t column = node % columns;
-    const std::size_t row = node / columns;
-    x.values.push_back(static_cast<double>(column) * map.grid.spacing_x());
-    y.values.push_back(static_cast<double>(row) * map.grid.spacing_y());
+    table.add({map.nominal_pressure, peak.von_mises, largest_shear, peak.depth,
+               static_cast<double>(node % columns) * map.grid.spacing_x(),
+               static_cast<double>(node / columns) * map.grid.spacing_y()});
   }
-  return {"stress-inside-" + method,
-          "The maximum stress below the contact surface, " + method,
-          {pressure, strongest, shear, depth, x, y}};
+  return table;
 }
 
 results::Table own_stress_table(const results::Table& of_pressure,

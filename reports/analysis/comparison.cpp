@@ -84,10 +84,9 @@ Function falling_inverse(const std::vector<double>& x,
 } // namespace
 
 AreaColumn best_area(const results::MethodRecord& method) {
-  for (const results::Curve& curve : method.realizations)
-    for (const CurvePoint& point : curve.points)
-      if (point.area_fraction_corrected > 0.0)
-        return &columns::area_fraction_corrected;
+  for (const CurvePoint& point : method.rows())
+    if (point.area_fraction_corrected > 0.0)
+      return &columns::area_fraction_corrected;
   return &columns::area_fraction;
 }
 

@@ -146,11 +146,10 @@ std::vector<MeasuredColumn> measured_columns(const surfaces::NumberTable& table,
 /// tensions.
 bool has_attraction(const results::Result& result) {
   for (const results::MethodRecord& method : result.methods)
-    for (const results::Curve& curve : method.realizations)
-      for (const CurvePoint& point : curve.points)
-        if (point.nominal_pressure < 0.0 ||
-            std::isfinite(point[columns::adhesive_energy]))
-          return true;
+    for (const CurvePoint& point : method.rows())
+      if (point.nominal_pressure < 0.0 ||
+          std::isfinite(point[columns::adhesive_energy]))
+        return true;
   return false;
 }
 

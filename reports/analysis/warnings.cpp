@@ -289,24 +289,23 @@ void add_recess(const Result& result, const cases::Case& contact_case,
     const double touching =
         touching_pressure(contact_case.surface, result.contact_modulus,
                           has_free_boundaries(contact_case, method));
-    for (const results::Curve& curve : method.realizations)
-      for (const results::CurvePoint& point : curve.points)
-        if (method.kind != "theory" &&
-            point.status == results::StepStatus::converged &&
-            point.nominal_pressure >= touching) {
-          warnings.push_back(
-              {"recess_touches",
-               fmt::format("The surface around the end of the punch touches "
-                           "from a nominal pressure of {:.4g} Pa on.",
-                           touching),
-               "The exact solution of a flat end does not hold there: steps "
-               "of this pressure and above are not compared with it.",
-               fmt::format(
-                   "From {} on, the face around the end touches: these steps "
-                   "have no exact solution.",
-                   quantity_text(touching, "Pa", 3))});
-          return;
-        }
+    for (const results::CurvePoint& point : method.rows())
+      if (method.kind != "theory" &&
+          point.status == results::StepStatus::converged &&
+          point.nominal_pressure >= touching) {
+        warnings.push_back(
+            {"recess_touches",
+             fmt::format("The surface around the end of the punch touches "
+                         "from a nominal pressure of {:.4g} Pa on.",
+                         touching),
+             "The exact solution of a flat end does not hold there: steps "
+             "of this pressure and above are not compared with it.",
+             fmt::format(
+                 "From {} on, the face around the end touches: these steps "
+                 "have no exact solution.",
+                 quantity_text(touching, "Pa", 3))});
+        return;
+      }
   }
 }
 
@@ -314,15 +313,14 @@ void add_recess(const Result& result, const cases::Case& contact_case,
 void add_no_contact(const Result& result, std::vector<Warning>& warnings) {
   double smallest_gap = std::numeric_limits<double>::infinity();
   for (const results::MethodRecord& method : result.methods)
-    for (const results::Curve& curve : method.realizations)
-      for (const results::CurvePoint& point : curve.points) {
-        if (method.kind == "theory" ||
-            point.status != results::StepStatus::converged)
-          continue;
-        if (point.nominal_pressure != 0.0 || point.area_fraction > 0.0)
-          return;
-        smallest_gap = std::min(smallest_gap, point.mean_gap);
-      }
+    for (const results::CurvePoint& point : method.rows()) {
+      if (method.kind == "theory" ||
+          point.status != results::StepStatus::converged)
+        continue;
+      if (point.nominal_pressure != 0.0 || point.area_fraction > 0.0)
+        return;
+      smallest_gap = std::min(smallest_gap, point.mean_gap);
+    }
   if (result.surfaces.empty() || !std::isfinite(smallest_gap))
     return;
   const SurfaceRecord& first = result.surfaces.front();

@@ -22,19 +22,18 @@ struct AreaSums {
 /// The steps under first load of a method with a hardness.
 std::map<int, AreaSums> yielding_steps(const results::MethodRecord& method) {
   std::map<int, AreaSums> steps;
-  for (const results::Curve& curve : method.realizations)
-    for (const results::CurvePoint& row : curve.points) {
-      if (row.is_unloading)
-        continue;
-      AreaSums& sums = steps[row.step];
-      sums.is_complete = sums.is_complete &&
-                         std::isfinite(row[columns::plastic_area]) &&
-                         row.status == results::StepStatus::converged;
-      sums.pressure += row.nominal_pressure;
-      sums.elastic += row.area_fraction - row[columns::plastic_area];
-      sums.plastic += row[columns::plastic_area];
-      ++sums.count;
-    }
+  for (const results::CurvePoint& row : method.rows()) {
+    if (row.is_unloading)
+      continue;
+    AreaSums& sums = steps[row.step];
+    sums.is_complete = sums.is_complete &&
+                       std::isfinite(row[columns::plastic_area]) &&
+                       row.status == results::StepStatus::converged;
+    sums.pressure += row.nominal_pressure;
+    sums.elastic += row.area_fraction - row[columns::plastic_area];
+    sums.plastic += row[columns::plastic_area];
+    ++sums.count;
+  }
   std::erase_if(steps, [](const auto& at) { return !at.second.is_complete; });
   return steps;
 }

@@ -14,6 +14,11 @@ Fields Fields::on_map() const {
   return shown;
 }
 
+void Table::add(std::span<const double> row) {
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    columns[i].values.push_back(row[i]);
+}
+
 std::vector<double> Table::values(const std::string& column) const {
   const auto found =
       std::find_if(columns.begin(), columns.end(),

@@ -7,8 +7,11 @@
 #include "results/types/map_in_cell.hpp"
 #include "results/types/map_view.hpp"
 
+#include <initializer_list>
 #include <limits>
 #include <optional>
+#include <ranges>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +26,7 @@ class CurveColumn;
 
 /// One load step, i.e. one row of the curve. The members are those of every
 /// method; what else a method or a study has to say are numbers by column
-/// (curve_columns.hpp): row[columns::leak_rate_x]. Numbers that a method does
+/// (curve_columns.hpp): row[columns::leak_rate.x]. Numbers that a method does
 /// not provide are NaN (the theory has no perimeter), counts are 0.
 struct CurvePoint {
   int step = 0;                  ///< index in the loading path
@@ -140,13 +143,19 @@ struct MethodRecord {
   /// The field of its maps by which contact is decided: "pressure" or "gap",
   /// see mechanics::ContactField.
   std::string contact = "pressure";
+
+  /// The rows of all realisations.
+  auto rows() const {
+    return realizations | std::views::transform(&Curve::points) |
+           std::views::join;
+  }
 };
 
 /// One column of a table.
 struct Column {
   std::string name; ///< as the name of a curve column: "mean_gap"
   std::string unit; ///< SI: "m"; "1" if dimensionless
-  std::vector<double> values;
+  std::vector<double> values = {};
 };
 
 /// Results of a study other than a curve, in columns of equal length.
@@ -154,6 +163,14 @@ struct Table {
   std::string name;
   std::string title; ///< one line for the reader
   std::vector<Column> columns;
+
+  /// Adds a row.
+  /// @param row  as many numbers as there are columns
+  void add(std::span<const double> row);
+
+  void add(std::initializer_list<double> row) {
+    add(std::span(row.begin(), row.size()));
+  }
 
   /// Returns the values of a column; empty if there is no such column.
   std::vector<double> values(const std::string& column) const;

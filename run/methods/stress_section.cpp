@@ -50,20 +50,18 @@ results::Table section_table(const std::string& method, double pressure,
                              const std::string& origin,
                              const std::vector<double>& depths,
                              const std::vector<double>& x,
-                             std::vector<double> strength) {
-  results::Column depth_column{"depth", "m", {}};
-  results::Column x_column{"x", "m", {}};
-  for (const double depth : depths)
-    for (const double place : x) {
-      depth_column.values.push_back(depth);
-      x_column.values.push_back(place);
-    }
-  return {
+                             const std::vector<double>& strength) {
+  results::Table table{
       "stress-section-" + method,
       fmt::format(
           "Von Mises stress below the contact surface at p = {:.6g} Pa, {}, {}",
           pressure, method, origin),
-      {depth_column, x_column, {"von_mises", "Pa", std::move(strength)}}};
+      {{"depth", "m"}, {"x", "m"}, {"von_mises", "Pa"}}};
+  std::size_t next = 0;
+  for (const double depth : depths)
+    for (const double place : x)
+      table.add({depth, place, strength[next++]});
+  return table;
 }
 
 /// Von Mises stress under a map [Pa], one row per depth, x fastest.
@@ -144,26 +142,25 @@ results::Table stress_sections(const std::string& method,
                                const contact::StressPeak& peak) {
   const Grid& grid = maps.front().grid;
   const SectionPlaces places = section_places(grid, stress.block(), peak.depth);
-  results::Column pressure{"nominal_pressure", "Pa", {}};
-  results::Column depth{"depth", "m", {}};
-  results::Column x{"x", "m", {}};
-  results::Column strength{"von_mises", "Pa", {}};
+  results::Table table{"stress-sections-" + method,
+                       "Von Mises stress in that plane at the saved loads, " +
+                           method,
+                       {{"nominal_pressure", "Pa"},
+                        {"depth", "m"},
+                        {"x", "m"},
+                        {"von_mises", "Pa"}}};
   const std::size_t n_used = std::min(maps.size(), most_sections);
   for (std::size_t k = 0; k < n_used; ++k) {
     const results::Fields& map =
         maps[n_used == 1 ? 0 : k * (maps.size() - 1) / (n_used - 1)];
     const std::vector<double> of_map = strength_at(places, stress, map, peak);
-    strength.values.insert(strength.values.end(), of_map.begin(), of_map.end());
-    for (const double at : places.depth)
-      for (const int offset : places.offsets) {
-        pressure.values.push_back(map.nominal_pressure);
-        depth.values.push_back(at);
-        x.values.push_back(offset * grid.spacing_x());
-      }
+    std::size_t next = 0;
+    for (const double depth : places.depth)
+      for (const int offset : places.offsets)
+        table.add({map.nominal_pressure, depth, offset * grid.spacing_x(),
+                   of_map[next++]});
   }
-  return {"stress-sections-" + method,
-          "Von Mises stress in that plane at the saved loads, " + method,
-          {pressure, depth, x, strength}};
+  return table;
 }
 
 results::Table stress_section(const OwnSection& section,
@@ -198,9 +195,9 @@ results::Table stress_section(const OwnSection& section,
       depth = -depth;
     depths.insert(depths.begin(), plane.depth.begin(), plane.depth.end());
   }
-  return section_table(
-      section.method, section.nominal_pressure, "from its cells", depths,
-      in_metres(places.offsets, grid.spacing_x()), std::move(strength));
+  return section_table(section.method, section.nominal_pressure,
+                       "from its cells", depths,
+                       in_metres(places.offsets, grid.spacing_x()), strength);
 }
 
 } // namespace asperity::methods

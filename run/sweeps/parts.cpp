@@ -227,10 +227,9 @@ void merge_realizations(const fs::path& folder) {
 
 bool all_converged(const results::Result& result) {
   for (const results::MethodRecord& method : result.methods)
-    for (const results::Curve& curve : method.realizations)
-      for (const results::CurvePoint& point : curve.points)
-        if (point.status == results::StepStatus::not_converged)
-          return false;
+    for (const results::CurvePoint& point : method.rows())
+      if (point.status == results::StepStatus::not_converged)
+        return false;
   return true;
 }
 

@@ -152,17 +152,16 @@ BenchAnswer answer_of(const results::Result& result,
                       const std::string& name) {
   const results::MethodRecord& method = method_called(result, name);
   BenchAnswer answer;
-  for (const results::Curve& curve : method.realizations)
-    for (const CurvePoint& row : curve.points) {
-      if (row.is_unloading)
-        continue;
-      const bool has_answer = row.status == results::StepStatus::converged;
-      answer.pressure.push_back(row.nominal_pressure);
-      for (const results::CurveColumn* const column :
-           compared_columns(contact_case.load.control))
-        answer.values[std::string(column->name)].push_back(
-            has_answer ? column->get(row) : not_a_number);
-    }
+  for (const CurvePoint& row : method.rows()) {
+    if (row.is_unloading)
+      continue;
+    const bool has_answer = row.status == results::StepStatus::converged;
+    answer.pressure.push_back(row.nominal_pressure);
+    for (const results::CurveColumn* const column :
+         compared_columns(contact_case.load.control))
+      answer.values[std::string(column->name)].push_back(
+          has_answer ? column->get(row) : not_a_number);
+  }
   if (const auto* surface = reports::surface_of(result, method, 0)) {
     answer.rms_height = surface->rms_height;
     answer.highest = surface->highest;

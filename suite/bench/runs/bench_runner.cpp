@@ -153,15 +153,14 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
     once.problem = "the result does not contain this method";
     return once;
   }
-  for (const results::Curve& curve : method->realizations)
-    for (const results::CurvePoint& row : curve.points) {
-      ++once.steps;
-      once.failed_steps += row.status == results::StepStatus::not_converged;
-      once.iterations += row.iterations;
-      once.transforms += static_cast<int>(row[columns::transforms]);
-      once.unknowns =
-          std::fmax(once.unknowns, row[columns::unknowns]); // ignores NaN
-    }
+  for (const results::CurvePoint& row : method->rows()) {
+    ++once.steps;
+    once.failed_steps += row.status == results::StepStatus::not_converged;
+    once.iterations += row.iterations;
+    once.transforms += static_cast<int>(row[columns::transforms]);
+    once.unknowns =
+        std::fmax(once.unknowns, row[columns::unknowns]); // ignores NaN
+  }
   once.peak_memory = mebibyte * number_in(result, "peak memory");
   once.phases = phases_of(result, *method, once.end.cpu_time);
   once.answer = answer_of(result, case_, point.method);
