@@ -1,6 +1,5 @@
 #include "results/csv.hpp"
 
-#include "base/atomic_file.hpp"
 #include "results/types/curve_columns.hpp"
 
 #include <fmt/format.h>
@@ -23,10 +22,9 @@ std::string quoted(const std::string& field) {
 /// Whether a row of the result has a number in a column.
 bool has_number(const Result& result, const CurveColumn& column) {
   for (const MethodRecord& method : result.methods)
-    for (const Curve& curve : method.realizations)
-      for (const CurvePoint& point : curve.points)
-        if (std::isfinite(column.get(point)))
-          return true;
+    for (const CurvePoint& point : method.rows())
+      if (std::isfinite(column.get(point)))
+        return true;
   return false;
 }
 
@@ -98,14 +96,6 @@ std::string times_csv(const Result& result) {
       }
     }
   return text;
-}
-
-void write_curves_csv(const Result& result, const std::filesystem::path& path) {
-  write_file_atomically(path, curves_csv(result));
-}
-
-void write_times_csv(const Result& result, const std::filesystem::path& path) {
-  write_file_atomically(path, times_csv(result));
 }
 
 } // namespace asperity::results

@@ -5,7 +5,6 @@
 
 #include "results/types/result.hpp"
 
-#include <filesystem>
 #include <string>
 
 namespace asperity::results {
@@ -34,10 +33,5 @@ std::string curves_csv(const Result& result);
 ///
 /// A row without a step gives the set-up time of a method on a realisation.
 std::string times_csv(const Result& result);
-
-/// Write the tables atomically.
-/// @throws std::system_error  naming the path
-void write_curves_csv(const Result& result, const std::filesystem::path& path);
-void write_times_csv(const Result& result, const std::filesystem::path& path);
 
 } // namespace asperity::results

@@ -1,5 +1,6 @@
 #include "run/result_outputs.hpp"
 
+#include "base/atomic_file.hpp"
 #include "base/json.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
@@ -35,8 +36,8 @@ reports::Summary write_outputs(const fs::path& folder, bool has_pdf) {
       results::read_result(folder, results::MapsInFile::large);
   const cases::Case contact_case = reports::case_of(result);
   reports::ReportEntry entry = reports::entry_of(result, contact_case);
-  results::write_curves_csv(result, folder / "curves.csv");
-  results::write_times_csv(result, folder / "times.csv");
+  write_file_atomically(folder / "curves.csv", results::curves_csv(result));
+  write_file_atomically(folder / "times.csv", results::times_csv(result));
   const std::vector<std::string> failures = reports::write_report(
       {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf});
   for (const std::string& failure : failures)

@@ -14,12 +14,8 @@ namespace {
 /// is_counted(values, node) is true, normalised by the number of all nodes.
 template <std::size_t n, class IsCounted>
 Histogram histogram(const std::array<MapView, n>& maps, int bins,
-                    std::span<const double> weights,
                     const IsCounted& is_counted) {
   require_between("bins", bins, 1, 1e6, "1");
-  const std::size_t size = maps[0].size();
-  if (!weights.empty())
-    require_size("weights", weights.size(), size);
   Histogram result;
   each_piece(maps, [&](std::size_t, const auto& values) {
     for (std::size_t i = 0; i < values[0].size(); ++i)
@@ -33,17 +29,16 @@ Histogram histogram(const std::array<MapView, n>& maps, int bins,
     return result;
 
   result.density.assign(static_cast<std::size_t>(bins), 0.0);
-  const double weight_unit =
-      1.0 / (static_cast<double>(size) * result.bin_width());
-  each_piece(maps, [&](std::size_t first, const auto& values) {
+  const double one =
+      1.0 / (static_cast<double>(maps[0].size()) * result.bin_width());
+  each_piece(maps, [&](std::size_t, const auto& values) {
     for (std::size_t i = 0; i < values[0].size(); ++i) {
       if (!is_counted(values, i))
         continue;
       const double position = std::max(0.0, values[0][i] / result.bin_width());
       const auto bin = std::min(static_cast<std::size_t>(position),
                                 result.density.size() - 1);
-      result.density[bin] +=
-          weight_unit * (weights.empty() ? 1.0 : weights[first + i]);
+      result.density[bin] += one;
     }
   });
   return result;
@@ -51,26 +46,23 @@ Histogram histogram(const std::array<MapView, n>& maps, int bins,
 
 } // namespace
 
-Histogram pressure_histogram(const MapView& pressure, int bins,
-                             std::span<const double> weights) {
+Histogram pressure_histogram(const MapView& pressure, int bins) {
   require_size("pressure", pressure.size(), pressure.size());
-  return histogram(std::array{pressure}, bins, weights,
+  return histogram(std::array{pressure}, bins,
                    [](const auto& values, std::size_t i) {
                      return mechanics::ContactCriterion{}.holds(values[0][i]);
                    });
 }
 
 Histogram gap_histogram(const MapView& gap, const MapView& pressure, int bins,
-                        const mechanics::ContactCriterion& criterion,
-                        std::span<const double> weights) {
+                        const mechanics::ContactCriterion& criterion) {
   require_size("gap", gap.size(), gap.size());
   require_size("pressure", pressure.size(), gap.size());
-  return histogram(std::array{gap, pressure}, bins, weights,
-                   [=](const auto& values, std::size_t i) {
-                     return !mechanics::ContactNodes(criterion, values[1],
-                                                     values[0])
-                                 .in_contact(i);
-                   });
+  return histogram(
+      std::array{gap, pressure}, bins, [=](const auto& values, std::size_t i) {
+        return !mechanics::ContactNodes(criterion, values[1], values[0])
+                    .in_contact(i);
+      });
 }
 
 } // namespace asperity::results

@@ -6,7 +6,6 @@
 #include "mechanics/contact_nodes.hpp"
 #include "results/types/map_view.hpp"
 
-#include <span>
 #include <vector>
 
 namespace asperity::results {
@@ -29,11 +28,9 @@ struct Histogram {
 /// Its integral is A/A_0, and its first moment is the nominal pressure up to
 /// the bin width. Without contact there are no bins.
 /// @param pressure  [Pa], contact where > 0
-/// @param weights   relative nodal areas, empty if all are equal
 /// @param bins      >= 1
 /// @throws std::domain_error  an argument is outside its range
-Histogram pressure_histogram(const MapView& pressure, int bins,
-                             std::span<const double> weights = {});
+Histogram pressure_histogram(const MapView& pressure, int bins);
 
 /// Returns the gap distribution P(u) of the open nodes [1/m]. Its integral is
 /// the open area fraction 1 - A/A_0, and its first moment is the integral of
@@ -45,7 +42,6 @@ Histogram pressure_histogram(const MapView& pressure, int bins,
 /// @param criterion  which nodes are in contact; all others are open
 /// @throws std::domain_error  an argument is outside its range
 Histogram gap_histogram(const MapView& gap, const MapView& pressure, int bins,
-                        const mechanics::ContactCriterion& criterion = {},
-                        std::span<const double> weights = {});
+                        const mechanics::ContactCriterion& criterion = {});
 
 } // namespace asperity::results

@@ -269,12 +269,6 @@ PressureFit fit_pressure_distribution(const MapView& pressure,
   return fit_histogram(reduced(pressure, weights, threads));
 }
 
-PressureFit pressure_fit_by_moment(std::span<const double> pressure,
-                                   std::span<const double> weights,
-                                   int threads) {
-  return fit_moment(reduced(pressure, weights, threads));
-}
-
 PressureFits pressure_fits(std::span<const double> pressure,
                            std::span<const double> weights, int threads) {
   const ReducedMap map = reduced(pressure, weights, threads);

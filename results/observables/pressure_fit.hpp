@@ -64,19 +64,13 @@ PressureFit fit_pressure_distribution(const MapView& pressure,
                                       std::span<const double> weights = {},
                                       int threads = 1);
 
-/// Computes G from the second moment. The mean square of the positive pressures
-/// over the nominal area is
+/// Both fits, which share the moments of the map. That by the second moment
+/// takes the mean square of the positive pressures over the nominal area,
 ///
 ///     <sigma^2> = (p^2 + 2G) erf(p/2 sqrt G) + 2p sqrt(G/pi) e^{-p^2/4G},
 ///
-/// which is solved for G up to roundoff. This requires no bins, but is
-/// dominated by the largest pressures.
-/// @throws std::domain_error  as fit_pressure_distribution
-PressureFit pressure_fit_by_moment(std::span<const double> pressure,
-                                   std::span<const double> weights = {},
-                                   int threads = 1);
-
-/// Both fits, which share the moments of the map.
+/// which is solved for G up to roundoff. It requires no bins, but is dominated
+/// by the largest pressures.
 struct PressureFits {
   PressureFit by_histogram, by_moment;
 };
