@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace asperity::reports {
 namespace {
@@ -53,14 +52,6 @@ double gap_of_asperities(const theory::ProfileMoments& moments,
   return 0.5 * (root.first + root.second) * rms_height;
 }
 
-void add(MethodSummary& summary, const char* name, double value,
-         const char* remark) {
-  Estimate& estimate = summary.quantities[name];
-  estimate.value = value;
-  estimate.realizations = estimate.has_value() ? 1 : 0;
-  estimate.remark = remark;
-}
-
 /// Adds to a theory that used the analytical spectrum of a self-affine case
 ///  - highest_asperity: expected_highest() of a cell of the case's length
 ///  - asperity_shortfall: (u_theory - u)/h_rms at the lightest load, with u of
@@ -79,35 +70,25 @@ void add_tail_quantities(const results::Result& result,
       moments_of(surface, magnification_of(contact_case, method));
   const double area = surface.length ? *surface.length * *surface.length : 0.0;
   if (theory::peaks_above(moments, std::fmax(area, 1e-300), 1.0) >= 4.0)
-    add(summary, "highest_asperity", theory::expected_highest(moments, area),
-        "expected value for a Gaussian surface of this size");
+    summary.quantities["highest_asperity"] =
+        single_number(theory::expected_highest(moments, area),
+                      "expected value for a Gaussian surface of this size",
+                      "expected value for a Gaussian surface of this size");
   const auto rows = loading_rows(method.realizations.front().points);
   if (rows.empty())
     return;
   const double gap = gap_of_asperities(moments, result.contact_modulus,
                                        rows.front().nominal_pressure);
-  add(summary, "asperity_shortfall",
-      (rows.front().mean_gap - gap) / std::sqrt(moments.height),
-      "with u of Bush, Gibson and Thomas at the lightest load");
+  const std::string remark =
+      "with u of Bush, Gibson and Thomas at the lightest load";
+  summary.quantities["asperity_shortfall"] =
+      single_number((rows.front().mean_gap - gap) / std::sqrt(moments.height),
+                    remark, remark);
 }
 
 using results::CurvePoint;
 using results::MethodRecord;
 using results::SurfaceRecord;
-
-using NumberOf = std::function<double(std::size_t realization)>;
-
-void add_mean(MethodSummary& summary, const std::string& name,
-              std::size_t realizations, const std::string& missing,
-              const NumberOf& number) {
-  std::vector<FittedValue> values;
-  for (std::size_t r = 0; r < realizations; ++r)
-    values.push_back({number(r), not_a_number, 0});
-  Estimate& estimate = summary.quantities[name];
-  estimate = mean_over_realizations(values);
-  if (!estimate.has_value())
-    estimate.remark = missing;
-}
 
 double log_linearity(std::span<const CurvePoint> points, double rms_height) {
   std::vector<double> log_pressure;
@@ -175,8 +156,8 @@ void add_surface_quantities(const results::Result& result,
                             MethodSummary& summary) {
   const std::size_t count = method.realizations.size();
   const auto of_surface = [&](const char* name, auto number) {
-    add_mean(
-        summary, name, count, "the surface is not in the result",
+    summary.quantities[name] = mean_over_realizations(
+        count, "the surface is not in the result",
         [&](std::size_t r) { return number(*surface_of(result, method, r)); });
   };
   of_surface("rms_height",
@@ -205,36 +186,33 @@ void add_sum_quantities(const results::Result& result,
   const auto sum = sum_of_two_surfaces(result);
   if (!sum)
     return;
-  const auto add = [&](const char* name, double value) {
-    Estimate& estimate = summary.quantities[name];
-    estimate.value = value;
-    estimate.realizations = 1;
-    estimate.remark = "from the sum of both surfaces";
-  };
-  add("sum_rms_height", sum->rms_height);
+  const std::string remark = "from the sum of both surfaces";
+  summary.quantities["sum_rms_height"] =
+      single_number(sum->rms_height, remark, remark);
   if (surface.kind == mechanics::SurfaceKind::self_affine)
-    add("sum_spectrum_ratio",
+    summary.quantities["sum_spectrum_ratio"] = single_number(
         sum_spectrum_ratio(result, *sum, surface.wavevector_roll_off,
-                           surface.wavevector_high));
+                           surface.wavevector_high),
+        remark, remark);
 }
 
 void add_curve_quantities(const MethodRecord& method, MethodSummary& summary) {
   const std::size_t count = method.realizations.size();
-  add_mean(summary, "log_linearity", count,
-           "fewer than 4 load steps with 1 <= u / h_rms <= 2",
-           [&](std::size_t r) {
-             return log_linearity(method.realizations[r].points,
-                                  summary.fits[r].scales.rms_height);
-           });
-  add_mean(summary, "area_linearity", count,
-           "fewer than 2 load steps with a contact fraction up to 10 %",
-           [&](std::size_t r) {
-             return area_linearity(method.realizations[r].points);
-           });
-  add_mean(summary, "area_at_highest_load", count, "no load steps",
-           [&](std::size_t r) {
-             return area_at_highest_load(method.realizations[r].points);
-           });
+  summary.quantities["log_linearity"] = mean_over_realizations(
+      count, "fewer than 4 load steps with 1 <= u / h_rms <= 2",
+      [&](std::size_t r) {
+        return log_linearity(method.realizations[r].points,
+                             summary.fits[r].scales.rms_height);
+      });
+  summary.quantities["area_linearity"] = mean_over_realizations(
+      count, "fewer than 2 load steps with a contact fraction up to 10 %",
+      [&](std::size_t r) {
+        return area_linearity(method.realizations[r].points);
+      });
+  summary.quantities["area_at_highest_load"] =
+      mean_over_realizations(count, "no load steps", [&](std::size_t r) {
+        return area_at_highest_load(method.realizations[r].points);
+      });
 }
 
 const std::vector<std::pair<std::string, std::string>>& meanings() {
@@ -282,16 +260,11 @@ void add_claim_quantities(const results::Result& result,
                           const MethodRecord& method,
                           const MethodRecord* reference,
                           MethodSummary& summary) {
-  const auto gamma = summary.quantities.find("gamma_curve");
-  if (method.kind == "theory" && gamma != summary.quantities.end() &&
-      gamma->second.has_value()) {
-    Estimate& epsilon = summary.quantities["epsilon"];
-    // Eq. (16) of Yang and Persson (2008)
-    epsilon.value = theory::persson_epsilon(gamma->second.value);
-    epsilon.realizations = 1;
-    epsilon.remark =
-        "Eq. (16) of Yang and Persson (2008) at the gamma of the case";
-  }
+  const Estimate* const gamma = summary.quantity("gamma_curve");
+  if (method.kind == "theory" && gamma != nullptr && gamma->has_value())
+    summary.quantities["epsilon"] = single_number(
+        theory::persson_epsilon(gamma->value),
+        "Eq. (16) of Yang and Persson (2008) at the gamma of the case", "");
   add_tail_quantities(result, contact_case, method, summary);
   if (!uses_formula(contact_case, method) &&
       surface_of(result, method, 0) != nullptr) {
@@ -301,23 +274,25 @@ void add_claim_quantities(const results::Result& result,
   add_curve_quantities(method, summary);
   if (method.kind == "theory" || reference == nullptr)
     return;
-  add_mean(summary, "gap_shortfall", method.realizations.size(),
-           "no load that the theory also covers", [&](std::size_t r) {
-             return gap_shortfall(method.realizations[r].points,
-                                  CurveFunction(curve_of(*reference, r).points),
-                                  summary.fits[r].scales.rms_height);
-           });
-  add_mean(summary, "gap_deviation_to_2", method.realizations.size(),
-           "no such load step that the theory also covers", [&](std::size_t r) {
-             return largest_gap_deviation(
-                 deviations(method.realizations[r].points,
-                            CurveFunction(curve_of(*reference, r).points)),
-                 summary.fits[r].scales.rms_height, 0.2, 2.0);
-           });
+  summary.quantities["gap_shortfall"] = mean_over_realizations(
+      method.realizations.size(), "no load that the theory also covers",
+      [&](std::size_t r) {
+        return gap_shortfall(method.realizations[r].points,
+                             CurveFunction(curve_of(*reference, r).points),
+                             summary.fits[r].scales.rms_height);
+      });
+  summary.quantities["gap_deviation_to_2"] = mean_over_realizations(
+      method.realizations.size(),
+      "no such load step that the theory also covers", [&](std::size_t r) {
+        return largest_gap_deviation(
+            deviations(method.realizations[r].points,
+                       CurveFunction(curve_of(*reference, r).points)),
+            summary.fits[r].scales.rms_height, 0.2, 2.0);
+      });
   const auto departure_part = [&](const char* name, const char* missing,
                                   double Departure::*part) {
-    add_mean(
-        summary, name, method.realizations.size(), missing, [&](std::size_t r) {
+    summary.quantities[name] = mean_over_realizations(
+        method.realizations.size(), missing, [&](std::size_t r) {
           return departure_from(method.realizations[r].points,
                                 CurveFunction(curve_of(*reference, r).points),
                                 summary.fits[r].scales.rms_height).*

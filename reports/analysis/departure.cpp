@@ -19,12 +19,7 @@ double median_in_range(const std::vector<GapRow>& rows) {
     if (row.reduced_gap >= comparison_gap_low &&
         row.reduced_gap <= comparison_gap_high)
       inside.push_back(row.log_pressure);
-  if (inside.empty())
-    return not_a_number;
-  std::sort(inside.begin(), inside.end());
-  const std::size_t half = inside.size() / 2;
-  return inside.size() % 2 == 1 ? inside[half]
-                                : 0.5 * (inside[half - 1] + inside[half]);
+  return inside.empty() ? not_a_number : median(std::move(inside));
 }
 
 // Searches from row `start`, towards larger gaps if `direction` is +1 and

@@ -96,13 +96,8 @@ double last_load(const results::MethodRecord& method) {
 } // namespace
 
 Estimate largest_estimate(double largest, const char* missing) {
-  Estimate estimate;
-  estimate.value = largest;
-  estimate.realizations = estimate.has_value() ? 1 : 0;
-  estimate.remark = estimate.has_value()
-                        ? "largest over the loads with an exact solution"
-                        : missing;
-  return estimate;
+  return single_number(largest, "largest over the loads with an exact solution",
+                       missing);
 }
 
 void add_exact_quantities(const results::Result& result,

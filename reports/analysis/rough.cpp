@@ -214,18 +214,14 @@ Estimate largest_of(const std::vector<double>& values,
 
 Estimate area_excess_of(const MethodRecord& method,
                         const MethodRecord& reference, AreaColumn area) {
-  std::vector<FittedValue> excesses;
-  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
-    const CurveFunction theory(curve_of(reference, r).points);
-    const std::vector<Deviation> rows =
-        deviations(method.realizations[r].points, theory, area);
-    excesses.push_back({light_load_area_excess(rows), not_a_number, 0});
-  }
-  Estimate excess = mean_over_realizations(excesses);
-  if (!excess.has_value())
-    excess.remark =
-        "no load step with A/A_0 <= 15 % that the theory also covers";
-  return excess;
+  return mean_over_realizations(
+      method.realizations.size(),
+      "no load step with A/A_0 <= 15 % that the theory also covers",
+      [&](std::size_t r) {
+        const CurveFunction theory(curve_of(reference, r).points);
+        return light_load_area_excess(
+            deviations(method.realizations[r].points, theory, area));
+      });
 }
 
 Estimate gap_deviation_of(const MethodRecord& method,

@@ -22,15 +22,6 @@ namespace {
 using results::MethodRecord;
 using results::Result;
 
-double median(std::vector<double> numbers) {
-  if (numbers.empty())
-    return not_a_number;
-  std::sort(numbers.begin(), numbers.end());
-  const std::size_t half = numbers.size() / 2;
-  return numbers.size() % 2 == 1 ? numbers[half]
-                                 : 0.5 * (numbers[half - 1] + numbers[half]);
-}
-
 Cost cost_of(const MethodRecord& method) {
   Cost cost;
   std::vector<double> step_times;
@@ -47,7 +38,8 @@ Cost cost_of(const MethodRecord& method) {
     }
   }
   cost.cpu_time += cost.setup_cpu_time;
-  cost.step_cpu_time = median(step_times);
+  cost.step_cpu_time =
+      step_times.empty() ? not_a_number : median(std::move(step_times));
   return cost;
 }
 
@@ -144,13 +136,17 @@ void add_epsilon(const cases::Case& contact_case, const MethodRecord& method,
   if (theory == nullptr ||
       theory->loss_factor != mechanics::LossFactor::yang_persson)
     return;
-  Estimate& epsilon = summary.quantities["epsilon"];
-  epsilon.value = theory::persson_epsilon(theory->gamma);
-  epsilon.realizations = 1;
-  epsilon.remark = "from the formula";
+  summary.quantities["epsilon"] = single_number(
+      theory::persson_epsilon(theory->gamma), "from the formula", "");
 }
 
 } // namespace
+
+const MethodSummary* method_called(std::span<const MethodSummary> methods,
+                                   const std::string& name) {
+  const auto found = std::ranges::find(methods, name, &MethodSummary::name);
+  return found == methods.end() ? nullptr : &*found;
+}
 
 Summary summarize(const Result& result, const cases::Case& contact_case) {
   Summary summary;

@@ -12,6 +12,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,7 +68,17 @@ struct MethodSummary {
   std::vector<std::string> omissions;
   Cost cost;
   Certified certified;
+
+  /// The estimate of that name, or null.
+  const Estimate* quantity(const std::string& quantity_name) const {
+    const auto found = quantities.find(quantity_name);
+    return found == quantities.end() ? nullptr : &found->second;
+  }
 };
+
+/// The method of that name, or null.
+const MethodSummary* method_called(std::span<const MethodSummary> methods,
+                                   const std::string& name);
 
 enum class Outcome {
   ok,

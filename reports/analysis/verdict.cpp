@@ -11,14 +11,6 @@
 namespace asperity::reports {
 namespace {
 
-const MethodSummary* find_method(std::span<const MethodSummary> methods,
-                                 const std::string& name) {
-  const auto found =
-      std::find_if(methods.begin(), methods.end(),
-                   [&](const MethodSummary& m) { return m.name == name; });
-  return found == methods.end() ? nullptr : &*found;
-}
-
 Outcome outcome_of(const Estimate& estimate, double low, double high) {
   const double half = estimate.has_interval() ? estimate.half_width : 0.0;
   const double least = estimate.value - half;
@@ -44,7 +36,7 @@ Verdict verdict_on(const cases::Expectation& expectation,
   verdict.low = expectation.low;
   verdict.high = expectation.high;
   verdict.passes_if_undecided = expectation.passes_if_undecided;
-  const MethodSummary* method = find_method(methods, method_name);
+  const MethodSummary* method = method_called(methods, method_name);
   if (method == nullptr) {
     // A run lists all its methods at its start, so a complete result lacks only
     // those that were deliberately omitted.
@@ -53,12 +45,12 @@ Verdict verdict_on(const cases::Expectation& expectation,
     verdict.estimate.remark = "the method is not in the result";
     return verdict;
   }
-  const auto found = method->quantities.find(expectation.quantity);
-  if (found == method->quantities.end()) {
+  const Estimate* const found = method->quantity(expectation.quantity);
+  if (found == nullptr) {
     verdict.estimate.remark = why_missing(*method);
     return verdict;
   }
-  verdict.estimate = found->second;
+  verdict.estimate = *found;
   if (verdict.estimate.has_value())
     verdict.outcome =
         outcome_of(verdict.estimate, expectation.low, expectation.high);
@@ -177,9 +169,8 @@ beside_ours(std::span<const cases::ReferenceValue> references,
   for (const cases::ReferenceValue& reference : references) {
     PublishedValue one{reference, {}};
     for (const MethodSummary& method : methods)
-      if (const auto found = method.quantities.find(reference.quantity);
-          found != method.quantities.end())
-        one.ours.push_back({method.name, found->second});
+      if (const Estimate* const found = method.quantity(reference.quantity))
+        one.ours.push_back({method.name, *found});
     published.push_back(std::move(one));
   }
   return published;

@@ -91,12 +91,11 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
 
 std::string error_words(const ReportEntry& entry, const std::string& quantity) {
   std::string words;
-  for (const MethodSummary& method : entry.summary.methods) {
-    const auto found = method.quantities.find(quantity);
-    if (found != method.quantities.end() && found->second.has_value())
+  for (const MethodSummary& method : entry.summary.methods)
+    if (const Estimate* const found = method.quantity(quantity);
+        found != nullptr && found->has_value())
       words += fmt::format("{}{} {:.2g}", words.empty() ? "" : ", ",
-                           method.name, found->second.value);
-  }
+                           method.name, found->value);
   return words;
 }
 

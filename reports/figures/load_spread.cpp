@@ -16,14 +16,6 @@ int LoadSpread::zeros() const {
   return static_cast<int>(std::ranges::count(numbers, 0.0));
 }
 
-double LoadSpread::median() const {
-  std::vector<double> sorted = numbers;
-  std::ranges::sort(sorted);
-  const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[middle]
-                                : 0.5 * (sorted[middle - 1] + sorted[middle]);
-}
-
 SpreadPanel::SpreadPanel(const std::string& quantity, double unit,
                          std::string zero)
     : unit_(unit), quantity_(quantity), zero_(std::move(zero)) {}

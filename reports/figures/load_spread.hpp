@@ -5,6 +5,7 @@
 // realisation leaks nothing, and the others alone would leak too much.
 
 #include "reports/figures/gnuplot.hpp"
+#include "reports/numbers/estimate.hpp"
 #include "results/types/result.hpp"
 
 #include <limits>
@@ -33,7 +34,7 @@ struct LoadSpread {
   int zeros() const;
 
   /// Of all numbers, of which zeros are the smallest.
-  double median() const;
+  double median() const { return reports::median(numbers); }
 };
 
 /// By the number of the load step.

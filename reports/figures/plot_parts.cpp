@@ -257,8 +257,8 @@ std::string joined_words(std::span<const Series> series) {
 
 const Estimate& quantity(const Series& series, const std::string& name) {
   static const Estimate none;
-  const auto found = series.method->quantities.find(name);
-  return found == series.method->quantities.end() ? none : found->second;
+  const Estimate* const found = series.method->quantity(name);
+  return found == nullptr ? none : *found;
 }
 
 const Series* first_numerical(std::span<const Series> series) {

@@ -56,6 +56,15 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
   return fit;
 }
 
+Estimate single_number(double value, const std::string& remark,
+                       const std::string& missing) {
+  Estimate estimate;
+  estimate.value = value;
+  estimate.realizations = estimate.has_value() ? 1 : 0;
+  estimate.remark = estimate.has_value() ? remark : missing;
+  return estimate;
+}
+
 double student_half_width(double standard_error, int degrees_of_freedom) {
   if (degrees_of_freedom < 1 || !std::isfinite(standard_error))
     return not_a_number;
@@ -105,6 +114,26 @@ Estimate mean_over_realizations(std::span<const FittedValue> fits) {
   estimate.remark =
       fmt::format("Student's t over {} realisations{}", values.size(), omitted);
   return estimate;
+}
+
+Spread spread_of(std::span<const double> numbers) {
+  if (numbers.empty())
+    return {};
+  Spread spread{mean(numbers)};
+  double squares = 0.0;
+  for (const double number : numbers)
+    squares += (number - spread.mean) * (number - spread.mean);
+  if (numbers.size() > 1)
+    spread.deviation =
+        std::sqrt(squares / (static_cast<double>(numbers.size()) - 1.0));
+  return spread;
+}
+
+double median(std::vector<double> numbers) {
+  std::ranges::sort(numbers);
+  const std::size_t half = numbers.size() / 2;
+  return numbers.size() % 2 == 1 ? numbers[half]
+                                 : 0.5 * (numbers[half - 1] + numbers[half]);
 }
 
 } // namespace asperity::reports

@@ -53,6 +53,12 @@ struct Estimate {
   bool has_interval() const { return half_width == half_width; }
 };
 
+/// A number without an interval, such as that of a formula.
+/// @param remark   what it is
+/// @param missing  why there is none, if it is NaN
+Estimate single_number(double value, const std::string& remark,
+                       const std::string& missing);
+
 /// Returns the half-width of the two-sided 95 % interval, t_{0.975, nu} *
 /// standard_error; NaN for nu < 1.
 double student_half_width(double standard_error, int degrees_of_freedom);
@@ -65,5 +71,30 @@ double student_half_width(double standard_error, int degrees_of_freedom);
 /// @par Accuracy  The interval has 95 % coverage if the realisations are
 ///     independent and their scatter is normally distributed.
 Estimate mean_over_realizations(std::span<const FittedValue> fits);
+
+/// The mean of number(r) over the realisations r.
+/// @param missing  why there is none, if all are NaN
+template <class Number>
+Estimate mean_over_realizations(std::size_t realizations,
+                                const std::string& missing,
+                                const Number& number) {
+  std::vector<FittedValue> values;
+  values.reserve(realizations);
+  for (std::size_t r = 0; r < realizations; ++r)
+    values.push_back({.value = number(r), .reason = missing});
+  return mean_over_realizations(values);
+}
+
+/// Mean and standard deviation of one of several numbers; NaN without, and the
+/// deviation of one alone.
+struct Spread {
+  double mean = not_a_number;
+  double deviation = not_a_number;
+};
+
+Spread spread_of(std::span<const double> numbers);
+
+/// @param numbers  at least one
+double median(std::vector<double> numbers);
 
 } // namespace asperity::reports

@@ -53,26 +53,25 @@ std::vector<PhysicalLoad> physical_loads(const results::MethodRecord& method,
 
   const AreaColumn area = best_area(method);
   std::map<int, Step> steps;
-  for (const results::Curve& curve : method.realizations)
-    for (const results::CurvePoint& row : curve.points) {
-      if (row.is_unloading)
-        continue;
-      Step& step = steps[row.step];
-      step.is_complete = step.is_complete &&
-                         row.status == results::StepStatus::converged &&
-                         std::isfinite(row.nominal_pressure + row.mean_gap);
-      step.pressures.push_back({.value = row.nominal_pressure});
-      // Where a node has yielded, the area is only counted.
-      const bool is_corrected =
-          row.area_fraction > 0.0 && std::isfinite(row[*area]);
-      step.areas.push_back(
-          {.value = is_corrected ? row[*area] : row.area_fraction});
-      step.gaps.push_back({.value = row.mean_gap});
-      step.plastic.push_back({.value = row[columns::plastic_area]});
-      const HalfWidths errors = intervals.of(row);
-      step.area_errors.push_back({.value = errors.area});
-      step.gap_errors.push_back({.value = errors.gap});
-    }
+  for (const results::CurvePoint& row : method.rows()) {
+    if (row.is_unloading)
+      continue;
+    Step& step = steps[row.step];
+    step.is_complete = step.is_complete &&
+                       row.status == results::StepStatus::converged &&
+                       std::isfinite(row.nominal_pressure + row.mean_gap);
+    step.pressures.push_back({.value = row.nominal_pressure});
+    // Where a node has yielded, the area is only counted.
+    const bool is_corrected =
+        row.area_fraction > 0.0 && std::isfinite(row[*area]);
+    step.areas.push_back(
+        {.value = is_corrected ? row[*area] : row.area_fraction});
+    step.gaps.push_back({.value = row.mean_gap});
+    step.plastic.push_back({.value = row[columns::plastic_area]});
+    const HalfWidths errors = intervals.of(row);
+    step.area_errors.push_back({.value = errors.area});
+    step.gap_errors.push_back({.value = errors.gap});
+  }
   std::vector<PhysicalLoad> loads;
   for (const auto& [step, numbers] : steps) {
     const double pressure = mean_over_realizations(numbers.pressures).value;
@@ -143,29 +142,22 @@ std::string why_more_may_hold(const results::MethodRecord& method) {
 std::string adhesive_sentence(const ReportEntry& entry,
                               const results::MethodRecord& method) {
   const cases::Case& contact_case = *entry.contact_case;
-  const auto summary = std::ranges::find(entry.summary.methods, method.name,
-                                         &MethodSummary::name);
+  const MethodSummary* const summary =
+      method_called(entry.summary.methods, method.name);
   const results::SurfaceRecord* const surface =
       surface_of(*entry.result, method, 0);
   const auto law = adhesion_of(*entry.result, contact_case, method);
-  if (!law || summary == entry.summary.methods.end())
+  if (!law || summary == nullptr)
     return "";
   const double modulus = entry.result->contact_modulus;
   const double criterion = stickiness(
       *law, modulus, judged_roughness(contact_case, method, *surface));
   const bool is_judged = std::isfinite(criterion) && criterion > 0.0;
-  const auto number = [&](const char* name) {
-    const auto found = summary->quantities.find(name);
-    return found == summary->quantities.end() || !found->second.has_value()
-               ? not_a_number
-               : found->second.value;
-  };
-  const auto tension = summary->quantities.find("pull_off_pressure");
-  const bool is_known = tension != summary->quantities.end();
+  const Estimate* const tension = summary->quantity("pull_off_pressure");
+  const Estimate* const loss = summary->quantity("dissipated_energy");
+  const bool is_pulled = tension != nullptr && tension->has_value();
   // A path without tension comes back to the contact where it began.
-  const double lost = is_known && tension->second.has_value()
-                          ? number("dissipated_energy")
-                          : not_a_number;
+  const double lost = is_pulled && loss != nullptr ? loss->value : not_a_number;
   std::string words =
       std::isfinite(lost)
           ? lost >= least_loss ? "It sticks" : "It does not stick"
@@ -178,14 +170,14 @@ std::string adhesive_sentence(const ReportEntry& entry,
                          digits_text(100.0 * lost, 2));
   const std::string joint = lost >= least_loss ? ", and" : ":";
   const std::string bound = why_more_may_hold(method);
-  if (is_known && tension->second.has_value())
+  if (is_pulled)
     words += joint + " the largest tension is " +
              (bound.empty() ? "" : "at least ") +
-             pressure_in_pascal(tension->second.value * modulus) +
+             pressure_in_pascal(tension->value * modulus) +
              (bound.empty() ? "" : ", " + bound);
-  else if (is_known)
-    words += joint + " the largest tension is not known, because " +
-             tension->second.remark;
+  else if (tension != nullptr)
+    words +=
+        joint + " the largest tension is not known, because " + tension->remark;
   words += fmt::format(" (adhesion of {} mJ/m² over {}",
                        digits_text(1e3 * law->work_of_adhesion, 3),
                        quantity_text(law->adhesion_range, "m", 3));

@@ -24,7 +24,8 @@ std::filesystem::path own_folder(const std::filesystem::path& folder,
 
 /// A figure to draw, with its place among the groups.
 struct FigureTurn {
-  std::size_t group;
+  const Figure& figure;
+  std::size_t group; ///< of those that are drawn
   std::size_t place;
   std::filesystem::path folder;
   std::string journal_problem = {};
@@ -44,24 +45,24 @@ std::vector<DrawnGroup> drawn_groups_of(std::span<const FigureGroup> groups,
   std::vector<DrawnGroup> drawn;
   std::vector<FigureTurn> turns;
   std::set<std::filesystem::path> taken;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::vector<Figure>& figures = groups[g].figures;
-    drawn.push_back(
-        {groups[g].heading, std::vector<DrawnFigure>(figures.size())});
+  for (const auto& [heading, own, figures] : groups) {
+    if (figures.empty())
+      continue;
     for (std::size_t f = 0; f < figures.size(); ++f)
-      turns.push_back({g, f,
-                       own_folder(folder / "figures" / groups[g].folder,
-                                  figures[f].name, taken)});
+      turns.push_back(
+          {figures[f], drawn.size(), f,
+           own_folder(folder / "figures" / own, figures[f].name, taken)});
+    drawn.push_back({heading, std::vector<DrawnFigure>(figures.size())});
   }
   const int threads =
       std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   parallel_rows(static_cast<int>(turns.size()), threads, [&](int i) {
     FigureTurn& turn = turns[static_cast<std::size_t>(i)];
-    const Figure& figure = groups[turn.group].figures[turn.place];
-    drawn[turn.group].figures[turn.place] = draw(figure, turn.folder, gnuplot);
+    drawn[turn.group].figures[turn.place] =
+        draw(turn.figure, turn.folder, gnuplot);
     if (has_journal)
       turn.journal_problem = draw_for_journal(
-          figure, journal,
+          turn.figure, journal,
           journal_folder /
               std::filesystem::relative(turn.folder, folder / "figures"),
           gnuplot);

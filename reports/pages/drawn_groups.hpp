@@ -22,7 +22,7 @@ struct DrawnGroup {
 
 /// Draws all figures into folder/figures, several at a time, and again into
 /// folder/journal if the format names an ending. Edited figures that were there
-/// are kept, see keep_edited().
+/// are kept, see keep_edited(). A group without figures is left out.
 /// @param problems  gets the figures that could not be drawn: "name: why"
 std::vector<DrawnGroup> drawn_groups_of(std::span<const FigureGroup> groups,
                                         const std::filesystem::path& folder,

@@ -4,7 +4,6 @@
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/methods_text.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/report_template.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -100,11 +99,10 @@ Json undetermined_rows(std::span<const ReportEntry> entries) {
   std::map<std::pair<std::string, std::string>, int> steps;
   for (const ReportEntry& entry : entries)
     for (const results::MethodRecord& method : entry.result->methods)
-      for (const results::Curve& curve : method.realizations)
-        for (const results::CurvePoint& point : curve.points)
-          for (const std::string& part : parts_of(point.note))
-            if (is_of_observable(part))
-              ++steps[{method.name, part}];
+      for (const results::CurvePoint& point : method.rows())
+        for (const std::string& part : parts_of(point.note))
+          if (is_of_observable(part))
+            ++steps[{method.name, part}];
   Json rows = Json::array();
   for (const auto& [key, count] : steps)
     rows.push_back(
@@ -156,9 +154,9 @@ std::vector<std::string> names_of(std::span<const ReportEntry> entries) {
 
 } // namespace
 
-std::string html_page(std::span<const ReportEntry> entries,
-                      std::span<const Json> summaries,
-                      std::span<const DrawnGroup> groups, bool is_for_print) {
+Json report_page(std::span<const ReportEntry> entries,
+                 std::span<const Json> summaries,
+                 std::span<const DrawnGroup> groups) {
   const std::vector<Series> series = series_of(entries);
   const bool has_many = entries.size() > 1;
   Json page = {{"page_title",
@@ -179,7 +177,6 @@ std::string html_page(std::span<const ReportEntry> entries,
       page["entries"][i]["suffix"] = fmt::format("-{}", i + 1);
   }
   set_groups(page, groups);
-  set_scripts(page, groups, is_for_print);
   if (has_many)
     page["agreements"] = agreement_json(agreements_of(entries, series));
   for (Json& agreement : page["agreements"]) { // of none: null
@@ -187,8 +184,7 @@ std::string html_page(std::span<const ReportEntry> entries,
     agreement["loads"] = agreement["rows"].size();
   }
   page["contents"] = contents_of(page);
-  std::string text = rendered_page(report_template, std::move(page));
-  return is_for_print ? unfolded(std::move(text)) : text;
+  return page;
 }
 
 } // namespace asperity::reports

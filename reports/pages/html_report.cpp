@@ -115,15 +115,13 @@ Json cells_of(const MethodSummary& method, std::span<const Column> columns,
               bool has_reasons) {
   Json cells = Json::array();
   for (const Column& column : columns) {
-    const auto found = method.quantities.find(column.quantity);
-    if (found == method.quantities.end())
+    const Estimate* const found = method.quantity(column.quantity);
+    if (found == nullptr)
       cells.push_back(cell("–", ""));
     else
-      cells.push_back(cell(column.is_percent ? percent_text(found->second)
-                                             : number_text(found->second),
-                           has_reasons || found->second.has_value()
-                               ? remark_of(found->second)
-                               : ""));
+      cells.push_back(
+          cell(column.is_percent ? percent_text(*found) : number_text(*found),
+               has_reasons || found->has_value() ? remark_of(*found) : ""));
   }
   return cells;
 }

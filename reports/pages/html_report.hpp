@@ -15,14 +15,13 @@
 
 namespace asperity::reports {
 
-/// Returns the page. Figures are embedded; for one that could not be drawn, its
-/// title, its caption and the reason are shown.
-/// @param summaries     what summary.json says of each result
-/// @param is_for_print  unfolds everything and leaves out the scripts
-std::string html_page(std::span<const ReportEntry> entries,
-                      std::span<const nlohmann::ordered_json> summaries,
-                      std::span<const DrawnGroup> groups,
-                      bool is_for_print = false);
+/// Returns what report.html.mustache shows. Figures are embedded; for one that
+/// could not be drawn, its title, its caption and the reason are shown.
+/// @param summaries  what summary.json says of each result
+nlohmann::ordered_json
+report_page(std::span<const ReportEntry> entries,
+            std::span<const nlohmann::ordered_json> summaries,
+            std::span<const DrawnGroup> groups);
 
 /// Returns summary.json as it is written beside the page: with the warnings and
 /// the tables that some results have (docs/reference/results.md): boundaries,

@@ -1,6 +1,8 @@
+#include "base/atomic_file.hpp"
 #include "base/json.hpp"
 #include "reports/explore/explore_data.hpp"
 #include "reports/pages/page_data.hpp"
+#include "reports/pages/pdf_page.hpp"
 
 #include <fmt/format.h>
 
@@ -77,6 +79,16 @@ std::vector<DrawnFigure> take_leading(std::vector<DrawnGroup>& groups) {
   return leading;
 }
 
+/// Opens all folded parts of a page.
+std::string unfolded(std::string html) {
+  const std::string folded = "<details id=";
+  const std::string open = "<details open=\"open\" id=";
+  for (std::size_t at = html.find(folded); at != std::string::npos;
+       at = html.find(folded, at + open.size()))
+    html.replace(at, folded.size(), open);
+  return html;
+}
+
 } // namespace
 
 void set_groups(Json& page, std::span<const DrawnGroup> groups) {
@@ -116,15 +128,6 @@ Json contents_of(const Json& page) {
   add("provenance" + suffix, "Provenance");
   add("citation", "Methods and literature");
   return contents;
-}
-
-std::string unfolded(std::string html) {
-  const std::string folded = "<details id=";
-  const std::string open = "<details open=\"open\" id=";
-  for (std::size_t at = html.find(folded); at != std::string::npos;
-       at = html.find(folded, at + open.size()))
-    html.replace(at, folded.size(), open);
-  return html;
 }
 
 Json group_data(std::span<const DrawnGroup> groups) {
@@ -169,10 +172,25 @@ void set_scripts(Json& page, std::span<const DrawnGroup> groups,
       (permissions.empty() ? "" : "; script-src" + permissions);
 }
 
-void set_figures(Json& page, std::span<const DrawnGroup> groups,
-                 bool is_for_print) {
-  page["groups"] = group_data(groups);
+std::string page_text(std::string_view page_template, Json page,
+                      std::span<const DrawnGroup> groups, bool is_for_print) {
   set_scripts(page, groups, is_for_print);
+  std::string text = rendered_page(page_template, std::move(page));
+  return is_for_print ? unfolded(std::move(text)) : text;
+}
+
+void write_page(std::string_view page_template, const Json& page,
+                std::span<const DrawnGroup> groups,
+                const std::filesystem::path& folder, bool has_pdf,
+                std::vector<std::string>& problems) {
+  write_file_atomically(folder / "report.html",
+                        page_text(page_template, page, groups, false));
+  if (!has_pdf)
+    return;
+  const std::string problem =
+      print_report(page_text(page_template, page, groups, true), folder);
+  if (!problem.empty())
+    problems.push_back(problem);
 }
 
 } // namespace asperity::reports

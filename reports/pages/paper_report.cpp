@@ -7,7 +7,6 @@
 #include "reports/analysis/verdict.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/pages/pdf_page.hpp"
 #include "reports/pages/published_json.hpp"
 #include "reports/pages/readme_text.hpp"
 #include "reports/report_template.hpp"
@@ -316,15 +315,7 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
     page["sections"].push_back(section_data(section, folder, groups.back()));
   }
   page["facts"] = facts_of(parts);
-  const auto text = [&](bool is_for_print) {
-    set_scripts(page, groups, is_for_print);
-    return rendered_page(paper_template, page);
-  };
-  write_file_atomically(folder / "report.html", text(false));
-  if (extras.has_pdf)
-    if (const std::string problem = print_report(text(true), folder);
-        !problem.empty())
-      problems.push_back(problem);
+  write_page(paper_template, page, groups, folder, extras.has_pdf, problems);
   return problems;
 }
 

@@ -1,8 +1,7 @@
-#include "reports/pages/rendered_page.hpp"
-
 #include "base/json.hpp"
 #include "base/shown_number.hpp"
 #include "reports/numbers/number_text.hpp"
+#include "reports/pages/page_data.hpp"
 #include "reports/report_template.hpp"
 
 #include <fmt/format.h>

@@ -7,12 +7,11 @@
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
-#include "reports/pages/agreement.hpp"
 #include "reports/pages/answers.hpp"
 #include "reports/pages/entry_names.hpp"
-#include "reports/pages/html_report.hpp"
 #include "reports/pages/methods_text.hpp"
-#include "reports/pages/pdf_page.hpp"
+#include "reports/pages/page_data.hpp"
+#include "reports/report_template.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -143,8 +142,6 @@ std::vector<FigureGroup> chosen(std::vector<FigureGroup> groups,
       return std::ranges::none_of(
           words, [&](const std::string& word) { return begins(word)(figure); });
     });
-  std::erase_if(groups,
-                [](const FigureGroup& group) { return group.figures.empty(); });
   return groups;
 }
 
@@ -180,13 +177,8 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                           text_of_json(summaries.front(), 2) + "\n");
   else
     write_comparison(entries, folder);
-  write_file_atomically(folder / "report.html",
-                        html_page(entries, summaries, drawn_groups));
-  if (extras.has_pdf)
-    if (const std::string problem = print_report(
-            html_page(entries, summaries, drawn_groups, true), folder);
-        !problem.empty())
-      problems.push_back(problem);
+  write_page(report_template, report_page(entries, summaries, drawn_groups),
+             drawn_groups, folder, extras.has_pdf, problems);
   return problems;
 }
 

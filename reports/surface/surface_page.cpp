@@ -5,7 +5,6 @@
 #include "reports/figures/plot_parts.hpp"
 #include "reports/numbers/number_text.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
 #include "reports/surface/surface_figures.hpp"
 #include "reports/surface/surface_quantities.hpp"
@@ -78,16 +77,6 @@ std::vector<FigureGroup> figure_groups(const SurfaceReport& report) {
   return groups;
 }
 
-std::string surface_page(const SurfaceReport& report, Json json,
-                         const std::vector<DrawnGroup>& groups,
-                         bool is_for_print) {
-  json["page_title"] = report.title;
-  json["parts"] = parts_of(report, json);
-  json["is_one_of_many"] = report.parts() > 1;
-  set_figures(json, groups, is_for_print);
-  return rendered_page(surface_template, std::move(json));
-}
-
 /// Writes the spectrum of the only map or line. One that an earlier report left
 /// in the folder is not of several.
 void write_spectrum(const SurfaceReport& report,
@@ -113,19 +102,17 @@ write_surface_report(const SurfaceReport& report,
                      const std::filesystem::path& folder,
                      const ReportExtras& extras) {
   std::filesystem::create_directories(folder);
-  const Json json = surface_json(report);
+  Json page = surface_json(report);
   write_spectrum(report, folder / "spectrum.txt");
-  write_file_atomically(folder / "surface.json", text_of_json(json, 1) + "\n");
+  write_file_atomically(folder / "surface.json", text_of_json(page, 1) + "\n");
   std::vector<std::string> problems;
   const std::vector<DrawnGroup> groups = drawn_groups_of(
       figure_groups(report), folder, "gnuplot", extras.journal, problems);
-  write_file_atomically(folder / "report.html",
-                        surface_page(report, json, groups, false));
-  if (extras.has_pdf)
-    if (const std::string problem =
-            print_report(surface_page(report, json, groups, true), folder);
-        !problem.empty())
-      problems.push_back(problem);
+  page["page_title"] = report.title;
+  page["parts"] = parts_of(report, page);
+  page["is_one_of_many"] = report.parts() > 1;
+  page["groups"] = group_data(groups);
+  write_page(surface_template, page, groups, folder, extras.has_pdf, problems);
   return problems;
 }
 

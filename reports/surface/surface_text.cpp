@@ -98,18 +98,13 @@ std::string maps_text(const std::vector<surfaces::MapAnalysis>& maps) {
       rows[i] += " " + padded(quantity_text(values[i], quantity.unit, 4),
                               number_width);
     }
-    const auto n = static_cast<double>(values.size());
-    double mean = 0.0;
-    double squares = 0.0;
-    for (const double value : values)
-      mean += value / n;
-    for (const double value : values)
-      squares += std::pow(value - mean, 2);
+    const Spread spread = spread_of(values);
     head += " " + padded(quantity.symbol, number_width);
-    means += " " + padded(quantity_text(mean, quantity.unit, 4), number_width);
-    deviations += " " + padded(quantity_text(std::sqrt(squares / (n - 1.0)),
-                                             quantity.unit, 2),
-                               number_width);
+    means += " " +
+             padded(quantity_text(spread.mean, quantity.unit, 4), number_width);
+    deviations +=
+        " " +
+        padded(quantity_text(spread.deviation, quantity.unit, 2), number_width);
     for (const std::size_t i : outliers_of(values))
       outliers += fmt::format("{}{} of {}", outliers.empty() ? "" : "; ",
                               quantity.symbol, maps[i].name);

@@ -18,7 +18,6 @@ namespace {
 /// by roundoff where contact is complete.
 constexpr double complete_contact = 0.95;
 
-using Results = std::vector<std::unique_ptr<SweptResult>>;
 using results::CurvePoint;
 
 /// The rows of the table, and the method that has them.
@@ -30,7 +29,7 @@ const SweptCurve* curve_called(const SweptResult& result,
 }
 
 /// The first method that is no theory, or the first of all.
-std::string method_of_samples(const Results& results) {
+std::string method_of_samples(const SweptResults& results) {
   std::string first;
   for (const auto& result : results)
     for (const MethodSummary& method : result->summary.methods) {
@@ -61,18 +60,7 @@ void evaluate(SampleValues& column) {
       known.push_back(column.values[i]);
       places.push_back(i);
     }
-  if (known.empty())
-    return;
-  const auto n = static_cast<double>(known.size());
-  column.mean = 0.0;
-  for (const double value : known)
-    column.mean += value / n;
-  if (known.size() > 1) {
-    double squares = 0.0;
-    for (const double value : known)
-      squares += std::pow(value - column.mean, 2);
-    column.deviation = std::sqrt(squares / (n - 1.0));
-  }
+  column.spread = spread_of(known);
   for (const std::size_t i : outliers_of(known))
     column.outliers.push_back(places[i]);
 }
@@ -112,8 +100,8 @@ std::string with_deviation(const SampleValues& values, bool is_share) {
     return is_share ? percent(value, digits)
                     : quantity_text(value, "m", digits);
   };
-  return fmt::format("{} (standard deviation {})", text(values.mean, 3),
-                     text(values.deviation, 2));
+  return fmt::format("{} (standard deviation {})", text(values.spread.mean, 3),
+                     text(values.spread.deviation, 2));
 }
 
 constexpr const char* outlier_colors[] = {"#d55e00", "#009e73", "#cc79a7",
@@ -166,7 +154,7 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
         i, x, y);
   }
   add("mean", table.samples.size(),
-      [](const SampleValues& column) { return column.mean; });
+      [](const SampleValues& column) { return column.spread.mean; });
   panel.add("mean", line("#222222", 2.2), table.samples.size(), x, y);
   figure.caption = fmt::format(
       "{} of each map, named where the pointer is, and the mean over all; maps "
@@ -180,7 +168,8 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
 
 } // namespace
 
-SampleLoads sample_loads(const SweepRecord& record, const Results& results) {
+SampleLoads sample_loads(const SweepRecord& record,
+                         const SweptResults& results) {
   SampleLoads table;
   if (!has_samples(record))
     return table;
@@ -219,7 +208,7 @@ SampleLoads sample_loads(const SweepRecord& record, const Results& results) {
     }
     for (SampleValues& column : load.columns)
       evaluate(column);
-    if (load.columns[0].mean > complete_contact)
+    if (load.columns[0].spread.mean > complete_contact)
       for (SampleValues& column : load.columns)
         column.outliers.clear();
     table.loads.push_back(std::move(load));
@@ -241,18 +230,18 @@ std::string sample_loads_csv(const SampleLoads& table) {
       text += "," + cell(column);
     text += "\n";
   };
-  const auto number = [](double value) {
-    return std::isfinite(value) ? fmt::format("{:.10g}", value) : "nan";
-  };
   for (const SampleLoad& load : table.loads)
     for (std::size_t i = 0; i < table.samples.size(); ++i)
-      add(table.samples[i], load,
-          [&](const SampleValues& column) { return number(column.values[i]); });
+      add(table.samples[i], load, [&](const SampleValues& column) {
+        return csv_number(column.values[i]);
+      });
   for (const SampleLoad& load : table.loads) {
-    add("mean", load,
-        [&](const SampleValues& column) { return number(column.mean); });
-    add("standard deviation", load,
-        [&](const SampleValues& column) { return number(column.deviation); });
+    add("mean", load, [&](const SampleValues& column) {
+      return csv_number(column.spread.mean);
+    });
+    add("standard deviation", load, [&](const SampleValues& column) {
+      return csv_number(column.spread.deviation);
+    });
     add("outliers", load, [&](const SampleValues& column) {
       return csv_cell(named_outliers(table, column));
     });
@@ -272,12 +261,13 @@ std::string sample_loads_text(const SampleLoads& table) {
     const SampleValues& area = load.columns[0];
     const SampleValues& gap = load.columns[1];
     const std::string of_area = named_outliers(table, area);
-    text +=
-        fmt::format("{:>10}  {:>7} ± {:>7}  {:>10} ± {:>10}  {}\n",
-                    quantity_text(load.pressure, "Pa", 3), percent(area.mean),
-                    percent(area.deviation, 2), quantity_text(gap.mean, "m", 3),
-                    quantity_text(gap.deviation, "m", 2),
-                    of_area.empty() ? named_outliers(table, gap) : of_area);
+    text += fmt::format("{:>10}  {:>7} ± {:>7}  {:>10} ± {:>10}  {}\n",
+                        quantity_text(load.pressure, "Pa", 3),
+                        percent(area.spread.mean),
+                        percent(area.spread.deviation, 2),
+                        quantity_text(gap.spread.mean, "m", 3),
+                        quantity_text(gap.spread.deviation, "m", 2),
+                        of_area.empty() ? named_outliers(table, gap) : of_area);
   }
   return text;
 }
@@ -285,7 +275,7 @@ std::string sample_loads_text(const SampleLoads& table) {
 std::string sample_sentence(const SampleLoads& table) {
   const SampleLoad* nearest = nullptr;
   const auto distance = [](const SampleLoad& load) {
-    return std::abs(std::log(load.columns[0].mean / 0.1));
+    return std::abs(std::log(load.columns[0].spread.mean / 0.1));
   };
   for (const SampleLoad& load : table.loads)
     if (nearest == nullptr || distance(load) < distance(*nearest))

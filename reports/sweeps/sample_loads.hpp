@@ -15,8 +15,7 @@ namespace asperity::reports {
 /// The values of one column at one load.
 struct SampleValues {
   std::vector<double> values; ///< of each sample, in SI; NaN: there is none
-  double mean = not_a_number;
-  double deviation = not_a_number;   ///< standard deviation of one sample
+  Spread spread = {};
   std::vector<std::size_t> outliers; ///< samples, by outliers_of()
 };
 
@@ -43,9 +42,8 @@ struct SampleLoads {
 
 /// Returns the table; without loads if the sweep has no samples, or these were
 /// not pressed with the same pressures.
-SampleLoads
-sample_loads(const SweepRecord& record,
-             const std::vector<std::unique_ptr<SweptResult>>& results);
+SampleLoads sample_loads(const SweepRecord& record,
+                         const SweptResults& results);
 
 /// Returns one row per sample and load, and for each load the rows "mean",
 /// "standard deviation" and "outliers", which names them: loads.csv.

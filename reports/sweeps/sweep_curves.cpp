@@ -11,8 +11,6 @@
 namespace asperity::reports {
 namespace {
 
-using Results = std::vector<std::unique_ptr<SweptResult>>;
-
 /// Which observable a figure shows against which.
 enum class CurveKind { pressure_gap, area_pressure };
 
@@ -143,7 +141,7 @@ private:
 } // namespace
 
 std::vector<Figure> sweep_curve_figures(const SweepRecord& record,
-                                        const Results& results) {
+                                        const SweptResults& results) {
   std::vector<Figure> figures;
   for (const CurveKind kind :
        {CurveKind::pressure_gap, CurveKind::area_pressure})

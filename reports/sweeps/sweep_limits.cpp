@@ -13,8 +13,6 @@
 namespace asperity::reports {
 namespace {
 
-using Results = std::vector<std::unique_ptr<SweptResult>>;
-
 bool varies_only_spectrum_and_grid(const SweepRecord& record) {
   constexpr std::array<std::string_view, 9> keys{"surface.hurst",
                                                  "surface.points",
@@ -140,13 +138,7 @@ struct Family {
   std::vector<const SweptResult*> points;
 };
 
-const MethodSummary& method_of(const SweptResult& result,
-                               const std::string& method) {
-  return *std::ranges::find(result.summary.methods, method,
-                            &MethodSummary::name);
-}
-
-std::vector<Family> families_of(const Results& results) {
+std::vector<Family> families_of(const SweptResults& results) {
   std::vector<Family> families;
   for (const auto& result : results)
     for (const MethodSummary& method : result->summary.methods) {
@@ -201,7 +193,8 @@ void add_limits(const Family& family, const std::vector<double>& ratios,
                     std::pow(spectrum.nodes_per_wave, -2),
                     0.0,
                     {}};
-      for (const RealizationFits& fits : method_of(*point, family.method).fits)
+      for (const RealizationFits& fits :
+           method_called(point->summary.methods, family.method)->fits)
         sample.values.push_back(value_of(fits, quantity));
       std::vector<std::size_t> all(sample.values.size());
       std::iota(all.begin(), all.end(), std::size_t{0});
@@ -238,7 +231,7 @@ bool has_limit(const Family& family) {
 } // namespace
 
 std::vector<SweepLimit> sweep_limits(const SweepRecord& record,
-                                     const Results& results) {
+                                     const SweptResults& results) {
   std::vector<SweepLimit> limits;
   if (!varies_only_spectrum_and_grid(record))
     return limits;

@@ -41,8 +41,7 @@ struct SweepLimit {
 ///
 /// @return  nothing if other keys than those of the spectrum and the grid are
 ///          swept, or if neither a nor b can be determined
-std::vector<SweepLimit>
-sweep_limits(const SweepRecord& record,
-             const std::vector<std::unique_ptr<SweptResult>>& results);
+std::vector<SweepLimit> sweep_limits(const SweepRecord& record,
+                                     const SweptResults& results);
 
 } // namespace asperity::reports

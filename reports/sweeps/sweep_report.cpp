@@ -8,7 +8,6 @@
 #include "reports/numbers/number_text.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
 #include "reports/sweeps/sample_loads.hpp"
 #include "reports/sweeps/sweep_figures.hpp"
@@ -24,12 +23,11 @@ namespace asperity::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Results = std::vector<std::unique_ptr<SweptResult>>;
 
 /// Quantities that the table of the page shows; sweep.csv has all of them.
 constexpr std::size_t most_columns = 5;
 
-std::vector<std::string> shown_quantities(const Results& results) {
+std::vector<std::string> shown_quantities(const SweptResults& results) {
   std::vector<std::string> names = swept_quantities(results);
   std::erase(names, "penetration");
   names.resize(std::min(names.size(), most_columns));
@@ -61,7 +59,7 @@ std::string point_name(const SweepRecord& record, std::size_t point) {
 
 /// One row per point and method.
 /// @param out  of the page, from which a point's own report is linked
-Json point_rows(const SweepRecord& record, const Results& results,
+Json point_rows(const SweepRecord& record, const SweptResults& results,
                 const std::vector<std::string>& quantities,
                 const std::filesystem::path& out) {
   Json rows = Json::array();
@@ -102,7 +100,7 @@ std::string sample_name(const SweepRecord& record, std::size_t point) {
 
 /// One row per method and quantity over all samples, of the quantities that
 /// the figures show first and of the roughness.
-Json scatter_rows(const SweepRecord& record, const Results& results) {
+Json scatter_rows(const SweepRecord& record, const SweptResults& results) {
   constexpr std::size_t most_rows = 8; // of a method
   Json rows = Json::array();
   std::vector<std::string> quantities = swept_quantities(results);
@@ -125,8 +123,8 @@ Json scatter_rows(const SweepRecord& record, const Results& results) {
     rows.push_back({{"method", scatter.method},
                     {"quantity", scatter.quantity},
                     {"count", scatter.count},
-                    {"mean", text(scatter.mean, 4)},
-                    {"deviation", text(scatter.deviation, 2)},
+                    {"mean", text(scatter.spread.mean, 4)},
+                    {"deviation", text(scatter.spread.deviation, 2)},
                     {"lowest", named(scatter.lowest)},
                     {"highest", named(scatter.highest)},
                     {"outliers", outliers.empty() ? "–" : outliers}});
@@ -160,8 +158,9 @@ void set_loads(Json& page, const SampleLoads& table) {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
       const SampleValues& values = load.columns[c];
       cells.push_back(
-          {{"mean", column_text(table.columns[c], values.mean, 3)},
-           {"deviation", column_text(table.columns[c], values.deviation, 2)}});
+          {{"mean", column_text(table.columns[c], values.spread.mean, 3)},
+           {"deviation",
+            column_text(table.columns[c], values.spread.deviation, 2)}});
       if (c > 1) // of studies in loads.csv
         continue;
       for (const std::size_t sample : values.outliers)
@@ -226,7 +225,7 @@ Json gallery(const SweepRecord& record, const std::filesystem::path& out) {
 
 /// The root mean square of the errors of a theory over the points, with the
 /// smallest and the largest: "0.021 (0.012 to 0.034)".
-std::string error_words(const Results& results, const std::string& method,
+std::string error_words(const SweptResults& results, const std::string& method,
                         const std::string& quantity) {
   std::vector<double> errors;
   double squares = 0.0;
@@ -246,7 +245,7 @@ std::string error_words(const Results& results, const std::string& method,
 }
 
 /// One row per theory that was compared with another method.
-Json law_rows(const Results& results) {
+Json law_rows(const SweptResults& results) {
   Json rows = Json::array();
   for (const std::string& method : swept_methods(results)) {
     Json row = {{"method", method}, {"cells", Json::array()}};
@@ -264,7 +263,7 @@ Json law_rows(const Results& results) {
 }
 
 /// Lists the expectations that a point does not meet.
-Json failed_rows(const SweepRecord& record, const Results& results) {
+Json failed_rows(const SweepRecord& record, const SweptResults& results) {
   Json rows = Json::array();
   for (const auto& result : results)
     for (const Verdict& verdict : result->summary.verdicts)
@@ -286,7 +285,8 @@ Json key_rows(const SweepRecord& record) {
 }
 
 /// @param answer  in the place of verdicts, if nothing is expected; may be ""
-void set_banner(Json& page, const Results& results, const std::string& answer) {
+void set_banner(Json& page, const SweptResults& results,
+                const std::string& answer) {
   std::size_t incomplete = 0;
   std::size_t judged = 0;
   std::size_t bad = 0;
@@ -313,10 +313,9 @@ void set_banner(Json& page, const Results& results, const std::string& answer) {
 }
 
 /// @param page  what the page says of limits and common loads
-std::string page_text(Json page, const SweepRecord& record,
-                      const Results& results,
-                      const std::vector<DrawnGroup>& groups,
-                      const std::filesystem::path& out, bool is_for_print) {
+Json page_of(Json page, const SweepRecord& record, const SweptResults& results,
+             const std::vector<DrawnGroup>& groups,
+             const std::filesystem::path& out) {
   const std::vector<std::string> quantities = shown_quantities(results);
   std::vector<std::string> heads = quantities;
   for (std::string& head : heads) // allows line breaks
@@ -341,8 +340,8 @@ std::string page_text(Json page, const SweepRecord& record,
   const Json laws = law_rows(results);
   page["laws"] = laws.size() > 1 ? laws : Json::array();
   page["failed"] = failed_rows(record, results);
-  set_figures(page, groups, is_for_print);
-  return rendered_page(sweep_template, std::move(page));
+  page["groups"] = group_data(groups);
+  return page;
 }
 
 } // namespace
@@ -353,7 +352,7 @@ SweepReport write_sweep_report(const SweepRecord& record,
                                bool is_trusted, const ReportExtras& extras,
                                const std::string& gnuplot) {
   SweepReport report{read_swept_results(record, folder, is_trusted), {}};
-  const Results& results = report.results;
+  const SweptResults& results = report.results;
   std::filesystem::create_directories(out);
   write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
   const std::vector<SweepLimit> limits = sweep_limits(record, results);
@@ -361,7 +360,7 @@ SweepReport write_sweep_report(const SweepRecord& record,
   report.answer = sample_loads_text(loads);
   if (!loads.loads.empty())
     write_file_atomically(out / "loads.csv", sample_loads_csv(loads));
-  std::vector<FigureGroup> figures{
+  const std::vector<FigureGroup> figures{
       {"All maps", "", sample_figures(loads)},
       // Names of samples are no axis.
       {"Quantities", "",
@@ -372,8 +371,6 @@ SweepReport write_sweep_report(const SweepRecord& record,
       {"The curves", "",
        loads.loads.empty() ? sweep_curve_figures(record, results)
                            : std::vector<Figure>()}};
-  std::erase_if(figures,
-                [](const FigureGroup& group) { return group.figures.empty(); });
   const std::vector<DrawnGroup> groups =
       drawn_groups_of(figures, out, gnuplot, extras.journal, report.undrawn);
   Json page;
@@ -381,13 +378,9 @@ SweepReport write_sweep_report(const SweepRecord& record,
   page["limits"] = limit_rows(limits);
   set_banner(page, results, sample_sentence(loads));
   set_loads(page, loads);
-  write_file_atomically(out / "report.html",
-                        page_text(page, record, results, groups, out, false));
-  if (extras.has_pdf)
-    if (const std::string problem = print_report(
-            page_text(page, record, results, groups, out, true), out);
-        !problem.empty())
-      report.undrawn.push_back(problem);
+  write_page(sweep_template,
+             page_of(std::move(page), record, results, groups, out), groups,
+             out, extras.has_pdf, report.undrawn);
   write_file_atomically(folder / sweep_file, sweep_json(record, results));
   return report;
 }

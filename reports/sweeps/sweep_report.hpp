@@ -13,7 +13,7 @@
 namespace asperity::reports {
 
 struct SweepReport {
-  std::vector<std::unique_ptr<SweptResult>> results;
+  SweptResults results;
   std::vector<std::string> undrawn; ///< figures that could not be drawn, "name:
                                     ///< why"
   /// Of samples that share their loads: area and mean gap at each, as text.

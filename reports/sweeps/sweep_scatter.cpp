@@ -8,13 +8,6 @@ namespace {
 
 constexpr double relative_roundoff = 1e-9;
 
-double median_of(std::vector<double> values) {
-  const std::size_t half = values.size() / 2;
-  std::ranges::sort(values);
-  return values.size() % 2 == 1 ? values[half]
-                                : 0.5 * (values[half - 1] + values[half]);
-}
-
 } // namespace
 
 std::vector<std::size_t> outliers_of(std::span<const double> values) {
@@ -24,22 +17,21 @@ std::vector<std::size_t> outliers_of(std::span<const double> values) {
   std::vector<std::size_t> outliers;
   if (values.size() < least_values)
     return outliers;
-  const double median = median_of({values.begin(), values.end()});
+  const double median = reports::median({values.begin(), values.end()});
   std::vector<double> distances;
   distances.reserve(values.size());
   for (const double value : values)
     distances.push_back(std::abs(value - median));
-  const double scale =
-      std::max(median_of(distances), relative_roundoff * std::abs(median));
+  const double scale = std::max(reports::median(distances),
+                                relative_roundoff * std::abs(median));
   for (std::size_t i = 0; i < values.size(); ++i)
     if (of_a_normal * distances[i] > limit * scale)
       outliers.push_back(i);
   return outliers;
 }
 
-std::vector<Scatter>
-scatter_of(const std::vector<std::unique_ptr<SweptResult>>& results,
-           const std::vector<std::string>& quantities) {
+std::vector<Scatter> scatter_of(const SweptResults& results,
+                                const std::vector<std::string>& quantities) {
   std::vector<Scatter> rows;
   for (const std::string& method : swept_methods(results))
     for (const std::string& quantity : quantities) {
@@ -55,12 +47,9 @@ scatter_of(const std::vector<std::unique_ptr<SweptResult>>& results,
       if (values.size() < 2)
         continue;
       Scatter row{method, quantity, static_cast<int>(values.size())};
-      for (const double value : values)
-        row.mean += value / row.count;
-      for (const double value : values)
-        row.deviation += std::pow(value - row.mean, 2) / (row.count - 1);
-      row.deviation = std::sqrt(row.deviation);
-      if (!(row.deviation > relative_roundoff * std::abs(row.mean)))
+      row.spread = spread_of(values);
+      if (!(row.spread.deviation >
+            relative_roundoff * std::abs(row.spread.mean)))
         continue; // not of the surface
       const auto [low, high] = std::ranges::minmax_element(values);
       row.lowest = points[static_cast<std::size_t>(low - values.begin())];

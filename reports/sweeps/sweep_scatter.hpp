@@ -18,8 +18,7 @@ struct Scatter {
   std::string method;
   std::string quantity;
   int count = 0; ///< samples that have a value, >= 2
-  double mean = 0.0;
-  double deviation = 0.0; ///< standard deviation of a sample, of count - 1
+  Spread spread = {};
   std::size_t lowest = 0; ///< point of the smallest value
   std::size_t highest = 0;
   std::vector<std::size_t> outliers = {}; ///< points, see outliers_of()
@@ -35,8 +34,7 @@ std::vector<std::size_t> outliers_of(std::span<const double> values);
 /// Returns the scatter of these quantities, method by method; without those
 /// that fewer than two samples have, that the case prescribes, or that are the
 /// same for all.
-std::vector<Scatter>
-scatter_of(const std::vector<std::unique_ptr<SweptResult>>& results,
-           const std::vector<std::string>& quantities);
+std::vector<Scatter> scatter_of(const SweptResults& results,
+                                const std::vector<std::string>& quantities);
 
 } // namespace asperity::reports

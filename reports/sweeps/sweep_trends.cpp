@@ -16,8 +16,6 @@
 namespace asperity::reports {
 namespace {
 
-using Results = std::vector<std::unique_ptr<SweptResult>>;
-
 constexpr std::size_t most_trends = 8;
 constexpr std::size_t most_heat_maps = 8;
 constexpr std::size_t most_lines = 24;
@@ -37,7 +35,7 @@ double value_at(const SweptResult& result, const std::string& method,
 }
 
 /// True if the values of the method differ by more than 1e-3 of their size.
-bool is_varied(const Results& results, const std::string& method,
+bool is_varied(const SweptResults& results, const std::string& method,
                const std::string& quantity_name) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -73,7 +71,7 @@ struct TrendLine {
 /// Returns the lines of all methods. The rows of a line follow each other, in
 /// the order of the first key.
 std::vector<TrendLine> trend_lines(const SweepRecord& record,
-                                   const Results& results,
+                                   const SweptResults& results,
                                    const FigureAxis& axis,
                                    const std::string& quantity_name) {
   std::vector<TrendLine> lines;
@@ -138,7 +136,7 @@ Figure figure_of_lines(const std::string& quantity_name, const FigureAxis& axis,
   return figure;
 }
 
-Figure trend_figure(const SweepRecord& record, const Results& results,
+Figure trend_figure(const SweepRecord& record, const SweptResults& results,
                     const std::string& quantity_name) {
   const FigureAxis axis = axis_of(record.keys[0]);
   const std::vector<TrendLine> lines =
@@ -160,7 +158,7 @@ bool returns_to_first_key(const SweepRecord& record) {
              values.size();
 }
 
-Figure heat_map(const SweepRecord& record, const Results& results,
+Figure heat_map(const SweepRecord& record, const SweptResults& results,
                 const std::string& quantity_name, const std::string& method) {
   Figure figure;
   figure.name =
@@ -210,7 +208,7 @@ Figure heat_map(const SweepRecord& record, const Results& results,
 } // namespace
 
 std::vector<Figure> sweep_trend_figures(const SweepRecord& record,
-                                        const Results& results) {
+                                        const SweptResults& results) {
   std::vector<Figure> figures;
   if (returns_to_first_key(record))
     return figures;
@@ -261,7 +259,7 @@ std::vector<Figure> sweep_limit_figures(const std::vector<SweepLimit>& limits) {
 }
 
 std::vector<Figure> sweep_heat_maps(const SweepRecord& record,
-                                    const Results& results) {
+                                    const SweptResults& results) {
   std::vector<Figure> figures;
   if (record.keys.size() != 2 || record.combine != cases::Combine::product)
     return figures;

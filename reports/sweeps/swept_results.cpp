@@ -22,7 +22,6 @@ namespace asperity::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Results = std::vector<std::unique_ptr<SweptResult>>;
 
 /// The quantities that figures show first.
 constexpr std::array<std::string_view, 8> first_quantities{
@@ -91,8 +90,7 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
       swept->curves = curves_of(result);
     swept->summary = std::move(entry.summary);
     for (Series& series : swept->series) // the methods moved with the summary
-      series.method = &*std::ranges::find(swept->summary.methods, series.label,
-                                          &MethodSummary::name);
+      series.method = method_called(swept->summary.methods, series.label);
     swept->status = result.status;
     if (result.status != "complete" && swept->problem.empty())
       swept->problem = "is not complete (" + result.status + ")";
@@ -100,10 +98,6 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
     swept->problem = error.what();
   }
   return swept;
-}
-
-std::string csv_number(double number) {
-  return std::isfinite(number) ? fmt::format("{:.10g}", number) : "nan";
 }
 
 /// Returns the verdict on a quantity of a method; "" if nothing is expected of
@@ -141,22 +135,26 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
+std::string csv_number(double number) {
+  return std::isfinite(number) ? fmt::format("{:.10g}", number) : "nan";
+}
+
 bool has_samples(const SweepRecord& record) {
   return record.keys.size() == 1 &&
          (record.keys.front().key == "surface.file" ||
           record.keys.front().key == "surface.seed");
 }
 
-Results read_swept_results(const SweepRecord& record,
-                           const std::filesystem::path& folder,
-                           bool is_trusted) {
-  Results all;
+SweptResults read_swept_results(const SweepRecord& record,
+                                const std::filesystem::path& folder,
+                                bool is_trusted) {
+  SweptResults all;
   for (std::size_t i = 0; i < record.points.size(); ++i)
     all.push_back(read_point(record, i, folder / point_folder(i), is_trusted));
   return all;
 }
 
-std::vector<std::string> swept_quantities(const Results& results) {
+std::vector<std::string> swept_quantities(const SweptResults& results) {
   std::set<std::string> found;
   for (const auto& result : results)
     for (const MethodSummary& method : result->summary.methods)
@@ -176,7 +174,7 @@ std::vector<std::string> swept_quantities(const Results& results) {
   return ordered;
 }
 
-std::vector<std::string> swept_methods(const Results& results) {
+std::vector<std::string> swept_methods(const SweptResults& results) {
   std::vector<std::string> names;
   for (const auto& result : results)
     for (const MethodSummary& method : result->summary.methods)
@@ -188,15 +186,12 @@ std::vector<std::string> swept_methods(const Results& results) {
 const Estimate* swept_estimate(const SweptResult& result,
                                const std::string& method,
                                const std::string& quantity) {
-  for (const MethodSummary& one : result.summary.methods)
-    if (one.name == method)
-      if (const auto found = one.quantities.find(quantity);
-          found != one.quantities.end())
-        return &found->second;
-  return nullptr;
+  const MethodSummary* const found =
+      method_called(result.summary.methods, method);
+  return found == nullptr ? nullptr : found->quantity(quantity);
 }
 
-std::string sweep_csv(const SweepRecord& record, const Results& results) {
+std::string sweep_csv(const SweepRecord& record, const SweptResults& results) {
   std::string text = "point";
   for (const cases::SweptKey& key : record.keys)
     text += "," + csv_cell(key.key);
@@ -224,7 +219,7 @@ std::string sweep_csv(const SweepRecord& record, const Results& results) {
   return text;
 }
 
-std::string sweep_json(const SweepRecord& record, const Results& results) {
+std::string sweep_json(const SweepRecord& record, const SweptResults& results) {
   Json json = record_json(record);
   for (const auto& result : results) {
     Json& point = json["points"][result->point];

@@ -45,6 +45,9 @@ struct SweptResult {
   bool has_result() const { return status != "missing"; }
 };
 
+/// One entry per point, at stable addresses.
+using SweptResults = std::vector<std::unique_ptr<SweptResult>>;
+
 /// Whether the points are samples of one surface: the only swept key is
 /// surface.file or surface.seed.
 bool has_samples(const SweepRecord& record);
@@ -54,20 +57,17 @@ bool has_samples(const SweepRecord& record);
 ///
 /// @param is_trusted  false: each file is read in a child process first
 ///                    (results/trial_read.hpp)
-/// @return  one entry per point, at stable addresses
-std::vector<std::unique_ptr<SweptResult>>
-read_swept_results(const SweepRecord& record,
-                   const std::filesystem::path& folder, bool is_trusted);
+SweptResults read_swept_results(const SweepRecord& record,
+                                const std::filesystem::path& folder,
+                                bool is_trusted);
 
 /// Returns the names of all quantities of all points and methods: first those
 /// of which the case has expectations, then those that the figures show first,
 /// then the others in alphabetical order.
-std::vector<std::string>
-swept_quantities(const std::vector<std::unique_ptr<SweptResult>>& results);
+std::vector<std::string> swept_quantities(const SweptResults& results);
 
 /// Returns the names of all methods in the order of their first appearance.
-std::vector<std::string>
-swept_methods(const std::vector<std::unique_ptr<SweptResult>>& results);
+std::vector<std::string> swept_methods(const SweptResults& results);
 
 /// Returns the estimate of a quantity of a method, or null.
 const Estimate* swept_estimate(const SweptResult& result,
@@ -77,15 +77,15 @@ const Estimate* swept_estimate(const SweptResult& result,
 /// Returns text as one cell of a CSV file, in quotes where it needs them.
 std::string csv_cell(const std::string& text);
 
+/// Likewise a number: ten digits, or "nan".
+std::string csv_number(double number);
+
 /// Returns one row per point, method and quantity: the values of the swept
 /// keys, value, half_width_95, realizations, verdict and remark.
-std::string sweep_csv(const SweepRecord& record,
-                      const std::vector<std::unique_ptr<SweptResult>>& results);
+std::string sweep_csv(const SweepRecord& record, const SweptResults& results);
 
 /// Returns sweep.json: the record with status, quantities and verdicts of each
 /// point.
-std::string
-sweep_json(const SweepRecord& record,
-           const std::vector<std::unique_ptr<SweptResult>>& results);
+std::string sweep_json(const SweepRecord& record, const SweptResults& results);
 
 } // namespace asperity::reports

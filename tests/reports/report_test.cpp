@@ -4,6 +4,7 @@
 #include "input/input_error.hpp"
 #include "reports/explore/explore_data.hpp"
 #include "reports/pages/html_report.hpp"
+#include "reports/pages/page_data.hpp"
 #include "reports/pages/pdf_page.hpp"
 #include "reports/pages/report.hpp"
 
@@ -327,8 +328,9 @@ TEST_F(Report, HasAVersionForPrint) {
 
   const nlohmann::ordered_json summary = page_summary(entry);
 
-  const std::string page =
-      html_page(std::span(&entry, 1), std::span(&summary, 1), {}, true);
+  const std::string page = page_text(
+      text_of("reports/report.html.mustache"),
+      report_page(std::span(&entry, 1), std::span(&summary, 1), {}), {}, true);
 
   EXPECT_EQ(count(page, "<script"), 0U);
   EXPECT_GT(count(page, "<details"), 3U);

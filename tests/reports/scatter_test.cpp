@@ -8,9 +8,8 @@
 namespace asperity::reports::scatter_test {
 
 /// Results of one method with these values of kappa, NaN for no result.
-std::vector<std::unique_ptr<SweptResult>>
-results_with(const std::vector<double>& values) {
-  std::vector<std::unique_ptr<SweptResult>> results;
+SweptResults results_with(const std::vector<double>& values) {
+  SweptResults results;
   for (const double value : values) {
     auto result = std::make_unique<SweptResult>();
     result->point = results.size();
@@ -46,8 +45,8 @@ TEST(ScatterOfSamples, IsTheirMeanAndDeviation) {
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].method, "halfspace");
   EXPECT_EQ(rows[0].count, 5);
-  EXPECT_DOUBLE_EQ(rows[0].mean, 3.6);
-  EXPECT_DOUBLE_EQ(rows[0].deviation, std::sqrt(53.2 / 4.0));
+  EXPECT_DOUBLE_EQ(rows[0].spread.mean, 3.6);
+  EXPECT_DOUBLE_EQ(rows[0].spread.deviation, std::sqrt(53.2 / 4.0));
   EXPECT_EQ(rows[0].lowest, 0U);
   EXPECT_EQ(rows[0].highest, 5U);
   EXPECT_EQ(rows[0].outliers, (std::vector<std::size_t>{5}));

@@ -7,8 +7,6 @@
 
 namespace asperity::reports::sweep_limits_test {
 
-using Results = std::vector<std::unique_ptr<SweptResult>>;
-
 SweepRecord record_of(const std::string& key) {
   SweepRecord record;
   record.keys = {{key, {"1", "2"}}};
@@ -17,7 +15,8 @@ SweepRecord record_of(const std::string& key) {
 
 /// A point of "halfspace" with 8 realisations whose gamma_matched scatters by
 /// +-0.01 about a value, alike at all points.
-void add_point(Results& results, const SpectrumPoint& spectrum, double value) {
+void add_point(SweptResults& results, const SpectrumPoint& spectrum,
+               double value) {
   auto result = std::make_unique<SweptResult>();
   result->point = results.size();
   result->status = "complete";
@@ -38,8 +37,8 @@ double formula(double ratio, double size, double nodes) {
   return 0.3 + 0.01 * ratio + 0.2 / (size * size) + 0.5 / (nodes * nodes);
 }
 
-Results sample() {
-  Results results;
+SweptResults sample() {
+  SweptResults results;
   for (const auto& [ratio, size, nodes] :
        {std::array{4.0, 1.0, 4.0}, std::array{4.0, 2.0, 4.0},
         std::array{4.0, 4.0, 8.0}, std::array{8.0, 1.0, 3.0},
@@ -69,7 +68,7 @@ TEST(SweepLimits, AreExactForNumbersThatObeyTheFormula) {
 }
 
 TEST(SweepLimits, NeedSurfacesOfOneSpectrumThatDiffer) {
-  Results results;
+  SweptResults results;
   add_point(results, {0.8, 4.0, 1.0, 4.0, 1.0}, 0.4);
   add_point(results, {0.8, 8.0, 1.0, 4.0, 1.0}, 0.5);
 

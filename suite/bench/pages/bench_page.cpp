@@ -194,12 +194,9 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   write_file_atomically(folder / "bench.json", text_of_json(page, 2) + "\n");
   write_file_atomically(folder / "bench.csv", bench_csv(bench));
   std::vector<std::string> problems;
-  std::vector<reports::FigureGroup> figures{
+  const std::vector<reports::FigureGroup> figures{
       {"Finite-element blocks", "", block_figures(bench)},
       {"Cost and error", "", bench_figures(bench)}};
-  std::erase_if(figures, [](const reports::FigureGroup& group) {
-    return group.figures.empty();
-  });
   const std::vector<reports::DrawnGroup> groups =
       reports::drawn_groups_of(figures, folder, gnuplot, {}, problems);
   page["page_title"] = "Benchmark: " + bench.case_title;
@@ -213,10 +210,8 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   page["methods"] = method_tables(bench, page["points"]);
   page["facts"] = reports::items_of(page["provenance"]);
   page["case_text"] = bench.case_text;
-  reports::set_figures(page, groups, false);
-  write_file_atomically(
-      folder / "report.html",
-      reports::rendered_page(bench_template, std::move(page)));
+  page["groups"] = reports::group_data(groups);
+  reports::write_page(bench_template, page, groups, folder, false, problems);
   return problems;
 }
 
