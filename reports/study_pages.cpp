@@ -12,6 +12,10 @@ std::vector<const StudyPages*>& all_pages() {
 
 void add_study_pages(const StudyPages& pages) {
   all_pages().push_back(&pages);
+  for (const cases::ExpectationName& quantity : pages.quantities)
+    cases::add_expectation(quantity);
+  for (const NumberAtLoad& number : pages.at_load)
+    cases::add_expectation(number.name);
 }
 
 std::span<const StudyPages* const> study_pages() {

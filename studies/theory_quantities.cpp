@@ -6,20 +6,16 @@
 
 namespace asperity::studies {
 
-using reports::Estimate;
-
-Estimate without(const std::string& reason) {
-  Estimate estimate;
-  estimate.remark = reason;
-  return estimate;
-}
-
-Estimate number(double value, const std::string& reason_if_none) {
-  Estimate estimate;
-  estimate.value = value;
-  estimate.realizations = 1;
-  estimate.remark = estimate.has_value() ? "from the formula" : reason_if_none;
-  return estimate;
+cases::ExpectationName quantity_of_theory(const char* name,
+                                          const char* description,
+                                          const char* study,
+                                          cases::QuantityOf of) {
+  return {.name = name,
+          .description = description,
+          .theory_answers = true,
+          .theory_only = true,
+          .study = study,
+          .of = of};
 }
 
 double between_rows(const std::vector<double>& x, const std::vector<double>& y,

@@ -2,6 +2,7 @@
 
 // Quantities that [expect] and reference.csv read from tables of the theory.
 
+#include "input/types/expectations.hpp"
 #include "reports/analysis/summary.hpp"
 
 #include <string>
@@ -9,11 +10,11 @@
 
 namespace asperity::studies {
 
-/// An estimate without a value.
-reports::Estimate without(const std::string& reason);
-
-/// The number of a formula; without a value and with the reason if it is NaN.
-reports::Estimate number(double value, const std::string& reason_if_none);
+/// A quantity that study_theory() alone provides, in a case with the table of
+/// the study.
+cases::ExpectationName
+quantity_of_theory(const char* name, const char* description, const char* study,
+                   cases::QuantityOf of = cases::QuantityOf::curve);
 
 /// Interpolates y at x between rows, linearly in the logarithms; NaN outside
 /// the rows, and between rows whose y are not positive.

@@ -153,9 +153,10 @@ std::string variant_name_pattern(const Table& table) {
 // "area_fraction@p=0.01 E*".
 std::string at_load_pattern() {
   std::string names;
-  for (const ExpectationName& entry : quantities_at_load())
+  for (const ExpectationName& entry : expectation_names(QuantityOf::load))
     names += (names.empty() ? "" : "|") + entry.name;
-  for (const ExpectationName& entry : quantities_at_magnification())
+  for (const ExpectationName& entry :
+       expectation_names(QuantityOf::magnification))
     names += "|" + entry.name;
   return "^ *(" + names + ") *@ *p *=";
 }

@@ -122,7 +122,7 @@ std::string at_load_section() {
       "and "
       "averaged\nover realisations. `reference.csv` uses the same names.\n\n| "
       "name | what it is |\n|---|---|\n";
-  for (const ExpectationName& entry : quantities_at_load())
+  for (const ExpectationName& entry : expectation_names(QuantityOf::load))
     page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
   page += "\nA quantity of a contact at a magnification names both, "
           "`\"area_fraction@p=10 MPa@zeta=10\"`:\nthe load is one of "
@@ -130,7 +130,8 @@ std::string at_load_section() {
           "interpolated\nlinearly between the magnifications. The theory of "
           "the studies yields it.\n\n"
           "| name | what it is |\n|---|---|\n";
-  for (const ExpectationName& entry : quantities_at_magnification())
+  for (const ExpectationName& entry :
+       expectation_names(QuantityOf::magnification))
     page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
   return page + "\n";
 }

@@ -20,10 +20,8 @@ struct ReadSoFar {
   const std::vector<MethodSpec>& methods;
   const Case& read;
 
-  bool has(Study study) const {
-    return study == Study::none ||
-           (study == Study::magnification && is_asked(read, "magnification")) ||
-           (study == Study::adhesion && is_asked(read, "adhesion"));
+  bool has(const std::string& study) const {
+    return study.empty() || is_asked(read, study);
   }
 };
 
@@ -33,7 +31,7 @@ bool is_theory(const MethodSpec& method) {
 
 bool answers(const MethodSpec& method, const ExpectationName& quantity,
              const ReadSoFar& read_so_far) {
-  if (quantity.study != Study::none)
+  if (!quantity.study.empty())
     return &method ==
            study_theory(read_so_far.read.surface, read_so_far.methods);
   const bool is_variant = method.name.find('.') != std::string::npos;
@@ -99,9 +97,7 @@ void check_surface(TableReader& band, const ExpectationName& quantity,
                               fmt::join(allowed, ", ")));
   }
   if (!read_so_far.has(quantity.study))
-    band.complain(band.node(), quantity.study == Study::adhesion
-                                   ? "needs the table [adhesion]"
-                                   : "needs the table [magnification]");
+    band.complain(band.node(), "needs the table [" + quantity.study + "]");
   if (quantity.needs_theory &&
       std::none_of(read_so_far.methods.begin(), read_so_far.methods.end(),
                    is_theory))

@@ -84,7 +84,7 @@ Table expect_table() {
           "`asperity check` tests results against them. A key in quotes, "
           "`\"area_fraction@p=0.01 E*\"`, is a quantity at one load.",
       .keys = {}};
-  for (const ExpectationName& entry : expectation_names())
+  for (const ExpectationName& entry : expectation_names(QuantityOf::curve))
     table.keys.push_back(
         {.name = entry.name,
          .type = ValueType::band,

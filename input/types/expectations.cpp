@@ -2,6 +2,8 @@
 
 #include "input/types/quantity_at_load.hpp"
 
+#include <algorithm>
+
 namespace asperity::cases {
 namespace {
 
@@ -68,9 +70,14 @@ std::vector<ExpectationName> rough_surface_names() {
   };
 }
 
-/// How far the laws of the theory are from the numbers.
+/// Quantities of the theory, and how far its laws are from the numbers.
 std::vector<ExpectationName> law_names() {
   return {
+      {.name = "epsilon",
+       .description = "eps of Eq. (16) of Yang and Persson (2008) with the "
+                      "case's gamma [1].",
+       .theory_answers = true,
+       .theory_only = true},
       {.name = "law_area_error",
        .description = "Root mean square over the loads of the relative "
                       "deviation of a theory's area from that of the first "
@@ -124,12 +131,6 @@ std::vector<ExpectationName> error_names() {
        .description = "Largest relative error of Mindlin's tangential "
                       "stiffness, 8 a G/(2 - nu); needs [fem] stiffness [1].",
        .surfaces = {sphere, punch}},
-      {.name = "partial_slip_error",
-       .description = "Largest error of the displacement of a tangential load, "
-                      "over that at which the contact slides, and of the area "
-                      "that sticks, over that of the contact; needs [friction] "
-                      "and free boundaries [1].",
-       .surfaces = {sphere}},
       {.name = "moment_error",
        .description = "Largest relative error of the moment of a tilted punch "
                       "whose whole end is in contact [1].",
@@ -185,38 +186,44 @@ std::vector<ExpectationName> adhesion_names() {
   };
 }
 
-/// Quantities of the theory and its studies.
-std::vector<ExpectationName> study_names() {
+/// Quantities of curves at one load.
+std::vector<ExpectationName> names_at_one_load() {
   return {
-      {.name = "epsilon",
-       .description = "eps of Eq. (16) of Yang and Persson (2008) with the "
-                      "case's gamma [1].",
+      {.name = "area_fraction",
+       .description = "A/A_0 as counted; for theory, Eq. (4) of Yang and "
+                      "Persson (2008) [1].",
        .theory_answers = true,
-       .theory_only = true},
-      {.name = "gap_pressure_dependence",
-       .description = "Largest |u(zeta) / u'(zeta) - 1| between the two "
-                      "lightest loads of [magnification], from twice the zeta "
-                      "at which roughness begins [1].",
+       .of = QuantityOf::load},
+      {.name = "area_fraction_corrected",
+       .description = "A/A_0, the best estimate of the method [1].",
        .theory_answers = true,
-       .theory_only = true,
-       .study = Study::magnification},
-      {.name = "adhesion_flip",
-       .description = "h_rms / h_rms0 at which complete and partial contact "
-                      "have the same gamma_eff [1].",
+       .of = QuantityOf::load},
+      {.name = "area_fraction_fit",
+       .description = "A/A_0 by Eq. (21) of Yang and Persson (2008) from Eq. "
+                      "(20) fitted to the pressure distribution [1].",
+       .of = QuantityOf::load},
+      {.name = "area_fraction_moment",
+       .description = "A/A_0 by Eq. (21) of Yang and Persson (2008) from the "
+                      "second moment of the pressure [1].",
+       .of = QuantityOf::load},
+      {.name = "area_excess",
+       .description = "Counted area over that of theory, minus 1 [1].",
+       .needs_theory = true,
+       .of = QuantityOf::load},
+      {.name = "area_excess_fit",
+       .description = "Area by Eq. (21) of Yang and Persson (2008) from the "
+                      "fit, over that of theory, minus 1 [1].",
+       .needs_theory = true,
+       .of = QuantityOf::load},
+      {.name = "plastic_area",
+       .description = "Area at the hardness; needs a hardness and a step at "
+                      "this load [1].",
        .theory_answers = true,
-       .theory_only = true,
-       .study = Study::adhesion},
-      {.name = "adhesion_flip_area",
-       .description = "A/A_0 of the partial contact at this transition [1].",
+       .of = QuantityOf::load},
+      {.name = "reduced_mean_gap",
+       .description = "u / h_rms [1].",
        .theory_answers = true,
-       .theory_only = true,
-       .study = Study::adhesion},
-      {.name = "complete_contact_binding",
-       .description = "gamma_eff / Delta gamma of complete contact on the "
-                      "case's surface [1].",
-       .theory_answers = true,
-       .theory_only = true,
-       .study = Study::adhesion},
+       .of = QuantityOf::load},
   };
 }
 
@@ -227,34 +234,43 @@ std::vector<ExpectationName> solver_names() {
   };
 }
 
-std::vector<ExpectationName> all_names() {
-  std::vector<ExpectationName> all;
-  for (const std::vector<ExpectationName>& names :
-       {rough_surface_names(), law_names(), error_names(), adhesion_names(),
-        study_names(), solver_names()})
-    all.insert(all.end(), names.begin(), names.end());
+std::vector<ExpectationName>& all_names() {
+  static std::vector<ExpectationName> all = [] {
+    std::vector<ExpectationName> known;
+    for (const std::vector<ExpectationName>& names :
+         {rough_surface_names(), law_names(), error_names(), adhesion_names(),
+          names_at_one_load(), solver_names()})
+      known.insert(known.end(), names.begin(), names.end());
+    return known;
+  }();
   return all;
 }
 
 } // namespace
 
-const std::vector<ExpectationName>& expectation_names() {
-  static const std::vector<ExpectationName> names = all_names();
+std::vector<ExpectationName> expectation_names(QuantityOf of) {
+  std::vector<ExpectationName> names = all_names();
+  std::erase_if(names,
+                [of](const ExpectationName& name) { return name.of != of; });
   return names;
 }
 
+void add_expectation(const ExpectationName& quantity) {
+  all_names().push_back(quantity);
+}
+
 const ExpectationName* expectation_called(const std::string& name) {
-  const QuantityAtLoadReading reading = read_quantity_at_load(name);
-  const auto& known = !reading.at_load ? expectation_names()
-                      : reading.at_load->magnification
-                          ? quantities_at_magnification()
-                          : quantities_at_load();
-  const std::string& sought =
-      reading.at_load ? reading.at_load->quantity : name;
-  for (const ExpectationName& entry : known)
-    if (entry.name == sought)
-      return &entry;
-  return nullptr;
+  const std::optional<QuantityAtLoad> at_load =
+      read_quantity_at_load(name).at_load;
+  const QuantityOf of = !at_load                 ? QuantityOf::curve
+                        : at_load->magnification ? QuantityOf::magnification
+                                                 : QuantityOf::load;
+  const std::string& sought = at_load ? at_load->quantity : name;
+  const auto found =
+      std::ranges::find_if(all_names(), [&](const ExpectationName& one) {
+        return one.of == of && one.name == sought;
+      });
+  return found == all_names().end() ? nullptr : &*found;
 }
 
 } // namespace asperity::cases

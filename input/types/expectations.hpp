@@ -10,8 +10,9 @@
 
 namespace asperity::cases {
 
-/// The table of a study that a quantity needs.
-enum class Study { none, magnification, adhesion };
+/// What a quantity is one of: of a whole curve, of a curve at one load, or of
+/// the contact at a load and a magnification (quantity_at_load.hpp).
+enum class QuantityOf { curve, load, magnification };
 
 struct ExpectationName {
   std::string name;
@@ -21,12 +22,18 @@ struct ExpectationName {
   bool variants_only = false;  ///< defined for the variant "md.explicit", but
                                ///< not for "md"
   std::vector<mechanics::SurfaceKind> surfaces = {}; ///< empty: any
-  bool theory_only = false;  ///< defined for no numerical method
-  Study study = Study::none; ///< if not none, only study_theory() provides the
-                             ///< quantity
+  bool theory_only = false; ///< defined for no numerical method
+  /// The table that the case must have, "magnification", if only study_theory()
+  /// provides the quantity; else empty.
+  std::string study = {};
+  QuantityOf of = QuantityOf::curve;
 };
 
-const std::vector<ExpectationName>& expectation_names();
+/// The quantities of curves with their own names, of others without load.
+std::vector<ExpectationName> expectation_names(QuantityOf of);
+
+/// Adds a quantity that somebody else evaluates: a study.
+void add_expectation(const ExpectationName& quantity);
 
 /// Returns the entry of that name, or of a quantity at a load
 /// ("area_fraction@p=0.01 E*", see quantity_at_load.hpp); nullptr if there is

@@ -58,82 +58,6 @@ std::string mistake_in_name(const std::string& quantity,
 
 } // namespace
 
-const std::vector<ExpectationName>& quantities_at_load() {
-  static const std::vector<ExpectationName> names = {
-      {.name = "area_fraction",
-       .description = "A/A_0 as counted; for theory, Eq. (4) of Yang and "
-                      "Persson (2008) [1].",
-       .theory_answers = true},
-      {.name = "area_fraction_corrected",
-       .description = "A/A_0, the best estimate of the method [1].",
-       .theory_answers = true},
-      {.name = "area_fraction_fit",
-       .description = "A/A_0 by Eq. (21) of Yang and Persson (2008) from Eq. "
-                      "(20) fitted to the pressure distribution [1]."},
-      {.name = "area_fraction_moment",
-       .description = "A/A_0 by Eq. (21) of Yang and Persson (2008) from the "
-                      "second moment of the pressure [1]."},
-      {.name = "area_excess",
-       .description = "Counted area over that of theory, minus 1 [1].",
-       .needs_theory = true},
-      {.name = "area_excess_fit",
-       .description = "Area by Eq. (21) of Yang and Persson (2008) from the "
-                      "fit, over that of theory, minus 1 [1].",
-       .needs_theory = true},
-      {.name = "plastic_area",
-       .description = "Area at the hardness; needs a hardness and a step at "
-                      "this load [1].",
-       .theory_answers = true},
-      {.name = "reduced_mean_gap",
-       .description = "u / h_rms [1].",
-       .theory_answers = true},
-      {.name = "log10_flow_factor",
-       .description = "log10 of the flow factor, the mean of both directions; "
-                      "needs [flow] and a step at this load [1].",
-       .theory_answers = true},
-      {.name = "leak_departure",
-       .description = "log10 of the leak rate over that of theory, the mean of "
-                      "both directions; needs [flow] and a step at this load "
-                      "[1].",
-       .needs_theory = true},
-      {.name = "curve_stiffness_ratio",
-       .description = "-dp/du of the curve over the stiffness of the standing "
-                      "contact; needs [conductance] and a step at this load "
-                      "[1]."},
-      {.name = "spot_stiffness_ratio",
-       .description = "Stiffness of the spots as circles alone over that of "
-                      "the standing contact; needs [conductance], [spots] and "
-                      "a step at this load [1]."},
-      {.name = "theory_stiffness_ratio",
-       .description = "-dp/du of theory over the stiffness of the standing "
-                      "contact; needs [conductance] and a step at this load "
-                      "[1].",
-       .needs_theory = true},
-  };
-  return names;
-}
-
-const std::vector<ExpectationName>& quantities_at_magnification() {
-  static const std::vector<ExpectationName> names = {
-      {.name = "area_fraction",
-       .description = "A(zeta)/A_0 [1].",
-       .theory_answers = true,
-       .theory_only = true,
-       .study = Study::magnification},
-      {.name = "reduced_mean_gap",
-       .description = "u(zeta) / h_rms, with h_rms of the full surface [1].",
-       .theory_answers = true,
-       .theory_only = true,
-       .study = Study::magnification},
-      {.name = "mean_gap_ratio",
-       .description = "u(zeta) divided by the mean gap u [1].",
-       .theory_answers = true,
-       .theory_only = true,
-       .study = Study::magnification},
-  };
-  return names;
-}
-
 bool names_a_load(const std::string& name) {
   return name.find('@') != std::string::npos;
 }
@@ -147,8 +71,8 @@ QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
     return refused_at_load("must have the form area_fraction@p=0.01 E*");
   const bool has_magnification = second_at != std::string::npos;
   const std::string mistake = mistake_in_name(
-      quantity,
-      has_magnification ? quantities_at_magnification() : quantities_at_load());
+      quantity, expectation_names(has_magnification ? QuantityOf::magnification
+                                                    : QuantityOf::load));
   if (!mistake.empty())
     return refused_at_load(mistake);
   const QuantityReading pressure = read_quantity(

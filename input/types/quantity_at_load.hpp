@@ -3,7 +3,7 @@
 // Quantities at one load, for [expect] and reference.csv:
 // "area_fraction@p=0.0129 E*" is a quantity of the curve at one nominal
 // pressure, "area_fraction@p=10 MPa@zeta=10" one of the contact at a
-// magnification. Defines their syntax and their names.
+// magnification. Defines their syntax.
 
 #include "input/types/expectations.hpp"
 
@@ -14,17 +14,10 @@
 namespace asperity::cases {
 
 struct QuantityAtLoad {
-  std::string quantity;                     ///< one of the names below
+  std::string quantity; ///< of expectation_names(), dimensionless [1]
   mechanics::Quantity nominal_pressure;     ///< > 0, in SI or in E*
   std::optional<double> magnification = {}; ///< zeta > 0
 };
-
-/// Returns the quantities at a load. All are dimensionless [1].
-const std::vector<ExpectationName>& quantities_at_load();
-
-/// Returns the quantities at a load and a magnification. The load is one of
-/// [magnification].
-const std::vector<ExpectationName>& quantities_at_magnification();
 
 /// Returns true if the name contains '@', which only these names do.
 bool names_a_load(const std::string& name);

@@ -3,6 +3,7 @@
 #include "input/types/quantity_at_load.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
+#include "reports/study_pages.hpp"
 #include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
@@ -29,23 +30,6 @@ AreaColumn area_column(const std::string& quantity) {
   return &columns::area_fraction;
 }
 
-/// A column of a study.
-const results::CurveColumn* column(const char* name) {
-  return &results::curve_column(name);
-}
-
-/// Mean over both directions of log10 of two columns of the step at a load;
-/// minus infinity if a direction is sealed, and NaN without a step.
-double log_flow(const results::Curve& curve, double pressure,
-                const results::CurveColumn* in_x,
-                const results::CurveColumn* in_y) {
-  for (const CurvePoint& row : curve.points)
-    if (std::abs(row.nominal_pressure / pressure - 1.0) < 1e-6 &&
-        row[*in_x] >= 0.0 && row[*in_y] >= 0.0)
-      return 0.5 * (std::log10(row[*in_x]) + std::log10(row[*in_y]));
-  return not_a_number;
-}
-
 /// The row of the loading branch at a load, or null.
 const CurvePoint* row_at(const results::Curve& curve, double pressure) {
   for (const CurvePoint& row : curve.points)
@@ -55,46 +39,29 @@ const CurvePoint* row_at(const results::Curve& curve, double pressure) {
   return nullptr;
 }
 
-/// Another stiffness over that of the standing contact; NaN without a step at
-/// this load.
-double stiffness_ratio(const std::string& quantity, double pressure,
-                       const results::Curve& curve,
-                       const results::Curve* theory, double contact_modulus) {
-  const CurvePoint* const own = row_at(curve, pressure);
-  const CurvePoint* const other =
-      quantity.starts_with("theory") ? row_at(*theory, pressure) : own;
-  if (own == nullptr || other == nullptr)
-    return not_a_number;
-  return quantity.starts_with("spot")
-             ? 2.0 * (*own)[*column("spot_radii")] /
-                   (*own)[*column("relative_conductance")]
-             : other->contact_stiffness / contact_modulus /
-                   (*own)[*column("relative_conductance")];
-}
-
-/// The plastic area of the first step at a load; NaN without one.
-double plastic_area(const results::Curve& curve, double pressure) {
-  const CurvePoint* const row = row_at(curve, pressure);
-  return row == nullptr ? not_a_number : (*row)[columns::plastic_area];
+/// The number that a study owns under this name, or null.
+const NumberAtLoad* number_of_study(const std::string& quantity) {
+  for (const StudyPages* const study : study_pages())
+    for (const NumberAtLoad& number : study->at_load)
+      if (number.name.name == quantity)
+        return &number;
+  return nullptr;
 }
 
 /// Returns NaN where the curve does not provide the quantity.
 double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
                  const SurfaceScales& scales) {
-  if (quantity == "log10_flow_factor")
-    return log_flow(curve, pressure, column("flow_factor_x"),
-                    column("flow_factor_y"));
-  if (quantity == "leak_departure")
-    return log_flow(curve, pressure, column("leak_rate_x"),
-                    column("leak_rate_y")) -
-           log_flow(*theory, pressure, column("leak_rate_x"),
-                    column("leak_rate_y"));
-  if (quantity.ends_with("stiffness_ratio"))
-    return stiffness_ratio(quantity, pressure, curve, theory,
-                           scales.contact_modulus);
+  const CurvePoint* const row = row_at(curve, pressure);
+  if (const NumberAtLoad* const number = number_of_study(quantity)) {
+    const CurvePoint* const other =
+        theory == nullptr ? nullptr : row_at(*theory, pressure);
+    return row == nullptr || (number->name.needs_theory && other == nullptr)
+               ? not_a_number
+               : number->of({*row, other, scales.contact_modulus});
+  }
   if (quantity == "plastic_area")
-    return plastic_area(curve, pressure);
+    return row == nullptr ? not_a_number : (*row)[columns::plastic_area];
   const CurveFunction function(curve.points, area_column(quantity));
   if (quantity == "reduced_mean_gap")
     return function.gap(pressure) / scales.rms_height;
@@ -152,13 +119,14 @@ void add_quantities_at_load(const results::Result& result,
                      scales_of(result, contact_case, method, r)),
            not_a_number, 0});
     Estimate& estimate = summary.quantities[name];
-    if (const auto sealed = std::ranges::count_if(
-            values, [](const FittedValue& at) { return std::isinf(at.value); });
-        sealed > 0) { // the others alone are no mean
-      estimate.remark = fmt::format(
-          "{} of {} realisations are sealed at p/E* = {:.4g} in a direction, "
-          "where the leak rate is 0 and has no logarithm",
-          sealed, values.size(), pressure / result.contact_modulus);
+    const NumberAtLoad* const number = number_of_study(asked.quantity);
+    const auto infinite = std::ranges::count_if(
+        values, [](const FittedValue& at) { return std::isinf(at.value); });
+    if (infinite > 0 && number != nullptr && number->infinite != nullptr) {
+      // The others alone are no mean.
+      estimate.remark =
+          fmt::format(fmt::runtime(number->infinite), infinite, values.size(),
+                      pressure / result.contact_modulus);
       continue;
     }
     estimate = mean_over_realizations(values);

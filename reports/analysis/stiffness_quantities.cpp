@@ -95,7 +95,7 @@ void add_moment_error(const results::Result& result,
             .contact_radius > 0.0)
       largest = std::fmax(
           largest,
-          std::abs(load * row[columns::pressure_centre_x] / exact - 1.0));
+          std::abs(load * row[columns::pressure_centre.x] / exact - 1.0));
   }
   error =
       largest_estimate(largest, "no load presses the whole end into contact");

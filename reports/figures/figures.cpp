@@ -114,11 +114,10 @@ std::string folder_name(std::size_t index, const std::string& name) {
 
 bool has_tension(const results::Result& result) {
   for (const results::MethodRecord& method : result.methods)
-    for (const results::Curve& curve : method.realizations)
-      for (const results::CurvePoint& row : curve.points)
-        if (row.status == results::StepStatus::converged &&
-            row.nominal_pressure < 0.0)
-          return true;
+    for (const results::CurvePoint& row : method.rows())
+      if (row.status == results::StepStatus::converged &&
+          row.nominal_pressure < 0.0)
+        return true;
   return false;
 }
 
@@ -165,8 +164,7 @@ void add_groups_of_one(std::vector<FigureGroup>& groups, const FigureData& all,
   for (const StudyPages* const study : study_pages()) {
     const std::size_t before = studies.figures.size();
     if (study->figures != nullptr)
-      add(studies.figures, study->name,
-          [&] { return study->figures(entry, index, all.series); });
+      add(studies.figures, study->name, [&] { return study->figures(data); });
     if (studies.figures.size() > before &&
         std::ranges::find(names, study->name) == names.end())
       names.push_back(study->name);

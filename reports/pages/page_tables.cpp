@@ -144,8 +144,8 @@ Json stiffness(const results::Result& result) {
           point.status == results::StepStatus::converged &&
           (std::isfinite(
                point[columns::tangential_stiffness]) || // of a full block
-           std::hypot(point[columns::pressure_centre_x],
-                      point[columns::pressure_centre_y]) > 1e-6 * side);
+           std::hypot(point[columns::pressure_centre.x],
+                      point[columns::pressure_centre.y]) > 1e-6 * side);
       if (!is_shown)
         continue;
       rows.push_back(
@@ -155,8 +155,8 @@ Json stiffness(const results::Result& result) {
            {"tangential [N/m]", point[columns::tangential_stiffness]},
            {"ratio", point[columns::tangential_stiffness] /
                          point[columns::normal_stiffness]},
-           {"centre_x [m]", distance(point[columns::pressure_centre_x])},
-           {"centre_y [m]", distance(point[columns::pressure_centre_y])}});
+           {"centre_x [m]", distance(point[columns::pressure_centre.x])},
+           {"centre_y [m]", distance(point[columns::pressure_centre.y])}});
     }
   }
   return rows;

@@ -1,21 +1,18 @@
 #include "results/observables/row_observer.hpp"
 
-#include "results/types/curve_columns.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace asperity::results {
 
-void RowObserver::record(std::string_view column, const Observed& observed) {
+void RowObserver::record(const CurveColumn& column, const Observed& observed) {
   const bool is_determined = std::isfinite(observed.value);
-  curve_column(column).set(row_,
-                           is_determined ? observed.value : Observed::none);
+  column.set(row_, is_determined ? observed.value : Observed::none);
   if (is_determined)
     return;
   row_.note += fmt::format(
-      "{}{} is not determined: {}", row_.note.empty() ? "" : "; ", column,
+      "{}{} is not determined: {}", row_.note.empty() ? "" : "; ", column.name,
       observed.reason.empty() ? "its value is not finite" : observed.reason);
 }
 

@@ -4,11 +4,9 @@
 // that cannot be computed is NaN with a reason.
 
 #include "results/observables/observables.hpp"
-#include "results/types/result.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <exception>
-#include <string>
-#include <string_view>
 
 namespace asperity::results {
 
@@ -19,11 +17,9 @@ public:
   /// @param row  must outlive the observer
   explicit RowObserver(CurvePoint& row) : row_(row) {}
 
-  /// @param column   a name of curve_columns()
   /// @param compute  () -> double or Observed; may throw any std::exception
-  /// @throws std::domain_error  there is no such column
   template <class Compute>
-  void operator()(std::string_view column, Compute compute) {
+  void operator()(const CurveColumn& column, Compute compute) {
     try {
       record(column, compute());
     } catch (const std::exception& error) {
@@ -32,7 +28,7 @@ public:
   }
 
 private:
-  void record(std::string_view column, const Observed& observed);
+  void record(const CurveColumn& column, const Observed& observed);
 
   CurvePoint& row_;
 };

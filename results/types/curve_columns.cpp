@@ -57,6 +57,13 @@ CurveColumn::~CurveColumn() {
                 [&](const CurveColumn& one) { return &one == this; });
 }
 
+DirectedColumn::DirectedColumn(std::string_view owner, ColumnTraits traits)
+    : name_x_(fmt::format("{}_x", traits.name)),
+      name_y_(fmt::format("{}_y", traits.name)),
+      x(owner, (traits.name = name_x_, traits)),
+      y(owner,
+        (traits.name = name_y_, traits.text = "likewise along y", traits)) {}
+
 double CurveColumn::get(const CurvePoint& row) const {
   return std::visit(
       [&](auto member) {

@@ -96,6 +96,22 @@ private:
   Member member_;
 };
 
+/// A number along x and along y, in the columns "leak_rate_x" and
+/// "leak_rate_y". The page says of the second "likewise along y".
+class DirectedColumn {
+public:
+  /// @param traits  with the name of both; the text is that of x
+  DirectedColumn(std::string_view owner, ColumnTraits traits);
+
+  const CurveColumn& along(bool is_y) const { return is_y ? y : x; }
+
+private:
+  std::string name_x_, name_y_;
+
+public:
+  const CurveColumn x, y;
+};
+
 /// Returns all columns; `note` is not among them.
 const std::vector<std::reference_wrapper<const CurveColumn>>& curve_columns();
 
@@ -126,6 +142,7 @@ namespace asperity::columns {
 using results::ColumnUse;
 using results::CurveColumn;
 using results::CurvePoint;
+using results::DirectedColumn;
 using results::Extent;
 
 // What every row has: members of CurvePoint.

@@ -65,9 +65,9 @@ inline const CurveColumn observation_time{
      .text = "CPU time of areas, fits and energy; part of `cpu_time`",
      .use = ColumnUse::cost}};
 
-inline const CurveColumn pressure_centre_x{
+inline const DirectedColumn pressure_centre{
     "free edges",
-    {.name = "pressure_centre_x",
+    {.name = "pressure_centre",
      .unit = "m",
      .range = results::any_number,
      .text = "lever of the resultant force about the middle of the "
@@ -75,12 +75,6 @@ inline const CurveColumn pressure_centre_x{
              "NaN without contact and for surfaces without a middle (all "
              "but spheres, punches, roughness on a sphere, and maps that "
              "are pressed once)"}};
-
-inline const CurveColumn pressure_centre_y{"free edges",
-                                           {.name = "pressure_centre_y",
-                                            .unit = "m",
-                                            .range = results::any_number,
-                                            .text = "likewise along y"}};
 
 inline const CurveColumn mean_displacement{
     "free edges",
@@ -155,6 +149,14 @@ inline const CurveColumn tangential_stiffness{
      .unit = "N/m",
      .text = "likewise, of nodes that stick",
      .extent = Extent::extensive}};
+
+inline const CurveColumn relative_conductance{
+    "conductance",
+    {.name = "relative_conductance",
+     .unit = "1/m",
+     .text = "with `[conductance]` only: "
+             "[conductance](../numerics/conductance.md) of the spots per "
+             "nominal area, over the harmonic mean of the conductivities"}};
 
 inline const CurveColumn adhesive_energy{
     "adhesion",

@@ -9,7 +9,7 @@
 #include "input/text/toml_text.hpp"
 #include "input/units.hpp"
 #include "run/arguments/physics.hpp"
-#include "studies/flow/flow_study.hpp"
+#include "studies/flow/flow.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -97,10 +97,10 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   const bool is_adhesive = observation.adhesion.has_value();
   const mechanics::ContactNodes nodes(observation.criterion, pressure,
                                       solution.gap);
-  observe("area_fraction", [&] {
+  observe(columns::area_fraction, [&] {
     return results::counted_area_fraction(nodes, weights, threads);
   });
-  observe("contact_perimeter", [&] {
+  observe(columns::contact_perimeter, [&] {
     return results::contact_perimeter(grid, nodes, observation.border, threads);
   });
   row.area_fraction_corrected = results::Observed::none;
@@ -110,7 +110,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   const bool has_yielded =
       row[columns::plastic_work] > 0.0 || row[columns::plastic_area] > 0.0;
   if (observation.resolves_boundary && !is_adhesive && !has_yielded)
-    observe("area_fraction_corrected", [&] {
+    observe(columns::area_fraction_corrected, [&] {
       return results::corrected_area_fraction(grid, pressure, solution.gap,
                                               {observation.contact_modulus,
                                                observation.area_coefficients,
@@ -122,18 +122,18 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   if (observation.has_middle) {
     const results::PressureCentre centre =
         results::pressure_centre(grid, pressure, weights, threads);
-    row[columns::pressure_centre_x] = centre.x;
-    row[columns::pressure_centre_y] = centre.y;
+    row[columns::pressure_centre.x] = centre.x;
+    row[columns::pressure_centre.y] = centre.y;
   }
   if (is_adhesive)
     observe_adhesion(row, solution, observation);
   else if (!has_yielded)
     observe_pressure_fits(observe, pressure, weights, threads);
-  observe("elastic_energy", [&] {
+  observe(columns::elastic_energy, [&] {
     return results::elastic_energy(pressure, solution.displacement, weights,
                                    threads);
   });
-  observe("contact_energy", [&] {
+  observe(columns::contact_energy, [&] {
     return results::contact_energy(pressure, observation.local_compliance,
                                    weights, threads);
   });
@@ -170,8 +170,10 @@ void observe_pressure_fits(results::RowObserver& observe,
       found = results::pressure_fits(pressure, weights, threads);
     return *found;
   };
-  observe("area_fraction_fit", [&] { return area_of(fits().by_histogram); });
-  observe("area_fraction_moment", [&] { return area_of(fits().by_moment); });
+  observe(columns::area_fraction_fit,
+          [&] { return area_of(fits().by_histogram); });
+  observe(columns::area_fraction_moment,
+          [&] { return area_of(fits().by_moment); });
 }
 
 void observe_tension(results::CurvePoint& row, std::span<const double> pressure,

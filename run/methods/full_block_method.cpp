@@ -106,8 +106,8 @@ public:
     for (const auto& [column, number] : of_material)
       results::curve_column(column).set(answer.row, number);
     if (surface_.has_middle) {
-      answer.row[columns::pressure_centre_x] = centre_x;
-      answer.row[columns::pressure_centre_y] = centre_y;
+      answer.row[columns::pressure_centre.x] = centre_x;
+      answer.row[columns::pressure_centre.y] = centre_y;
     }
     if (!resolves_boundary) // quadrature points between the nodes do not
                             // resolve the contact boundary
@@ -175,7 +175,7 @@ private:
     const fem::BlockConduction found = block_->conduction();
     answer.row[columns::linear_iterations] += found.linear_iterations;
     results::RowObserver(answer.row)(
-        "relative_conductance", [&]() -> results::Observed {
+        columns::relative_conductance, [&]() -> results::Observed {
           if (!found.converged)
             return {results::Observed::none,
                     "the linear solver of Laplace's equation did not converge"};

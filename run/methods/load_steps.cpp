@@ -173,7 +173,7 @@ private:
               // that the problem is convex and has a solution
     const std::vector<double> pressure = at_operator(answer.pressure);
     results::RowObserver observe(answer.row);
-    observe("certified_gap_error", [&] {
+    observe(columns::certified_gap_error, [&] {
       return contact::check_field(
                  sequence_.elasticity(),
                  {sequence_.heights(), observation_.local_compliance,

@@ -4,6 +4,7 @@
 #include "base/special_numbers.hpp"
 #include "input/types/units.hpp"
 #include "results/observables/row_observer.hpp"
+#include "results/types/method_columns.hpp"
 #include "run/methods/step_solver.hpp"
 #include "theory/persson/persson.hpp"
 #include "theory/persson/plastic_contact.hpp"
@@ -53,14 +54,14 @@ void yield(results::CurvePoint& row, const theory::PerssonContact& contact,
   row.area_fraction = row.area_fraction_corrected = not_a_number;
   results::RowObserver observe(row);
   if (row.is_unloading) {
-    observe("area_fraction", [] {
+    observe(columns::area_fraction, [] {
       return results::Observed{
           results::Observed::none,
           "the theory knows no imprint of an earlier, larger load"};
     });
     return;
   }
-  observe("plastic_area", [&] {
+  observe(columns::plastic_area, [&] {
     const theory::PlasticShares shares = theory::plastic_shares(
         row.nominal_pressure, contact.stress_variance(row.nominal_pressure),
         hardness);
@@ -75,14 +76,15 @@ results::CurvePoint row_at(const theory::PerssonContact& contact,
   results::CurvePoint row;
   row.nominal_pressure = nominal_pressure;
   results::RowObserver observe(row);
-  observe("mean_gap", [&] { return contact.mean_gap(nominal_pressure); });
-  observe("area_fraction",
+  observe(columns::mean_gap,
+          [&] { return contact.mean_gap(nominal_pressure); });
+  observe(columns::area_fraction,
           [&] { return contact.area_fraction(nominal_pressure); });
   row.area_fraction_corrected = row.area_fraction;
   row.contact_perimeter = not_a_number;
-  observe("elastic_energy",
+  observe(columns::elastic_energy,
           [&] { return contact.elastic_energy(nominal_pressure); });
-  observe("contact_stiffness",
+  observe(columns::contact_stiffness,
           [&] { return contact.contact_stiffness(nominal_pressure); });
   if (std::isnan(row.mean_gap))
     row.status = results::StepStatus::not_converged;

@@ -3,7 +3,6 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "studies/adhesion/adhesion.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
 #include "studies/theory_quantities.hpp"
 
 #include <fmt/format.h>
@@ -128,25 +127,22 @@ Figure height_figure(const Table& rows) {
   return figure;
 }
 
-std::vector<Figure> adhesion_figures(const ReportEntry& entry, std::size_t,
-                                     std::span<const Series>) {
+std::vector<Figure> adhesion_figures(const ReportEntry& entry) {
   const Table* rows = entry.result->table("adhesion");
-  std::vector<Figure> figures;
   if (rows == nullptr)
-    return figures;
-  figures.push_back(branches_figure(*rows));
-  figures.push_back(
-      equilibrium_figure(*rows, entry.result->table("adhesion-flip")));
-  figures.push_back(height_figure(*rows));
-  return figures;
+    return {};
+  return {branches_figure(*rows),
+          equilibrium_figure(*rows, entry.result->table("adhesion-flip")),
+          height_figure(*rows)};
 }
 
 Estimate of_flip(const results::Result& result, const std::string& column,
                  const std::string& reason_if_none) {
   const Table* flip = result.table("adhesion-flip");
   if (flip == nullptr || flip->values(column).empty())
-    return without("the study of adhesion was not run");
-  return number(flip->values(column).front(), reason_if_none);
+    return {.remark = "the study of adhesion was not run"};
+  return single_number(flip->values(column).front(), "from the formula",
+                       reason_if_none);
 }
 
 void add_adhesion_quantities(const results::Result& result,
@@ -165,9 +161,9 @@ void add_adhesion_quantities(const results::Result& result,
       of_flip(result, "complete_contact_binding", "not a number");
   if (const Table* const rows = result.table("adhesion")) {
     const auto here = [&](const char* column) {
-      return number(
+      return single_number(
           between_rows(rows->values("height_ratio"), rows->values(column), 1.0),
-          "no partial contact at h_rms/h_rms0 = 1");
+          "from the formula", "no partial contact at h_rms/h_rms0 = 1");
     };
     quantities["effective_work_approach"] = here("binding_partial");
     quantities["unloaded_area_approach"] = here("area_fraction_partial");
@@ -215,6 +211,21 @@ std::string adhesion_answer(const ReportEntry& entry) {
                                      fmt::join(parts, "; "));
 }
 
+std::vector<cases::ExpectationName> quantities_of_adhesion() {
+  return {
+      quantity_of_theory("adhesion_flip",
+                         "h_rms / h_rms0 at which complete and partial "
+                         "contact have the same gamma_eff [1].",
+                         "adhesion"),
+      quantity_of_theory("adhesion_flip_area",
+                         "A/A_0 of the partial contact at this transition [1].",
+                         "adhesion"),
+      quantity_of_theory("complete_contact_binding",
+                         "gamma_eff / Delta gamma of complete contact on "
+                         "the case's surface [1].",
+                         "adhesion")};
+}
+
 std::string adhesion_text(const cases::Case& contact_case) {
   return asks<AdhesionStudy>(contact_case) ? " Adhesion follows [persson2002]."
                                            : "";
@@ -227,9 +238,10 @@ const StudyPages& adhesion_pages() {
                                 .figure_names = {"adhesion-branches",
                                                  "adhesion-equilibrium",
                                                  "adhesion-height"},
-                                .figures = adhesion_figures,
+                                .figures = drawn_by<adhesion_figures>,
                                 .answer = adhesion_answer,
                                 .methods_text = adhesion_text,
+                                .quantities = quantities_of_adhesion(),
                                 .add_quantities = add_adhesion_quantities};
   return pages;
 }

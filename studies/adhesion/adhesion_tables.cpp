@@ -4,29 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 namespace asperity::studies {
 namespace {
 
-using results::Column;
 using results::Table;
 using theory::AdhesiveState;
 using theory::RoughAdhesion;
-
-/// The columns gamma_eff/Dgamma and A/A_0 of one state.
-struct StateColumns {
-  explicit StateColumns(const std::string& state)
-      : binding{"binding_" + state, "1", {}},
-        area{"area_fraction_" + state, "1", {}} {}
-
-  void add(bool exists, const AdhesiveState& state, double work_of_adhesion) {
-    binding.values.push_back(exists ? state.effective_work / work_of_adhesion
-                                    : not_a_number);
-    area.values.push_back(exists ? state.area_fraction : not_a_number);
-  }
-
-  Column binding;
-  Column area;
-};
 
 double ratio_at(const AdhesionStudy& study, int k) {
   return study.from + (study.to - study.from) * k / (study.points - 1);
@@ -47,35 +33,40 @@ int row_before_flip(const Table& rows) {
 
 Table adhesion_table(const RoughAdhesion& adhesion, const AdhesionStudy& study,
                      double rms_height) {
-  Column ratio{"height_ratio", "1", {}};
-  Column height{"rms_height", "m", {}};
-  Column force{"pull_off_force", "N", {}};
-  StateColumns partial("partial");
-  StateColumns complete("complete");
-  StateColumns equilibrium("equilibrium");
+  Table table{"adhesion",
+              "gamma_eff/Dgamma and A/A_0 against h_rms/h_rms0",
+              {{"height_ratio", "1"},
+               {"rms_height", "m"},
+               {"binding_partial", "1"},
+               {"binding_complete", "1"},
+               {"binding_equilibrium", "1"},
+               {"area_fraction_partial", "1"},
+               {"area_fraction_complete", "1"},
+               {"area_fraction_equilibrium", "1"}}};
+  if (study.sphere_radius)
+    table.columns.push_back({"pull_off_force", "N"});
   int failures = 0;
   for (int k = 0; k < study.points; ++k) {
     const double at = ratio_at(study, k);
-    const AdhesiveState part = adhesion.partial_contact(at);
+    const AdhesiveState partial = adhesion.partial_contact(at);
+    const AdhesiveState complete = adhesion.complete_contact(at);
     const AdhesiveState rest = adhesion.equilibrium(at);
-    failures += part.converged ? 0 : 1;
-    ratio.values.push_back(at);
-    height.values.push_back(at * rms_height);
-    partial.add(part.exists && part.converged, part, study.work_of_adhesion);
-    complete.add(true, adhesion.complete_contact(at), study.work_of_adhesion);
-    equilibrium.add(rest.exists && part.converged, rest,
-                    study.work_of_adhesion);
+    failures += partial.converged ? 0 : 1;
+    std::vector<double> row{at, at * rms_height};
+    const std::pair<bool, const AdhesiveState*> states[] = {
+        {partial.exists && partial.converged, &partial},
+        {true, &complete},
+        {rest.exists && partial.converged, &rest}};
+    for (const auto& [exists, state] : states)
+      row.push_back(exists ? state->effective_work / study.work_of_adhesion
+                           : not_a_number);
+    for (const auto& [exists, state] : states)
+      row.push_back(exists ? state->area_fraction : not_a_number);
     if (study.sphere_radius)
-      force.values.push_back(theory::rough_pull_off_force(*study.sphere_radius,
-                                                          rest.effective_work));
+      row.push_back(theory::rough_pull_off_force(*study.sphere_radius,
+                                                 rest.effective_work));
+    table.add(row);
   }
-  Table table{"adhesion",
-              "gamma_eff/Dgamma and A/A_0 against h_rms/h_rms0",
-              {ratio, height, partial.binding, complete.binding,
-               equilibrium.binding, partial.area, complete.area,
-               equilibrium.area}};
-  if (study.sphere_radius)
-    table.columns.push_back(force);
   if (failures > 0)
     table.title += fmt::format("; {} of {} partial contacts did not converge",
                                failures, study.points);

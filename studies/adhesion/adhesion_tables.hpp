@@ -3,7 +3,7 @@
 // The tables of [adhesion]; docs/reference/results.md lists the column names.
 
 #include "results/types/result.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
+#include "studies/adhesion/adhesion.hpp"
 #include "theory/persson/adhesion.hpp"
 
 namespace asperity::studies {

@@ -5,8 +5,7 @@
 #include "reports/figures/plot_parts.hpp"
 #include "results/types/method_columns.hpp"
 #include "studies/conductance/conductance.hpp"
-#include "studies/conductance/conductance_study.hpp"
-#include "studies/spots/spots_study.hpp"
+#include "studies/spots/spots.hpp"
 
 #include <fmt/format.h>
 
@@ -30,11 +29,11 @@ public:
 
   void add_theory(const results::MethodRecord& method) {
     panel_.add(method.name + ", -dp/du", line("#222222", 1.6),
-               curve(method, [&](const CurvePoint& row, std::size_t) {
+               spread_curve(method, [&](const CurvePoint& row, std::size_t) {
                  return row.contact_stiffness / modulus();
                }));
     panel_.add(method.name + ", p/u_0", line("#222222", 1.0, 2),
-               curve(method, [&](const CurvePoint& row, std::size_t r) {
+               spread_curve(method, [&](const CurvePoint& row, std::size_t r) {
                  return row.nominal_pressure / decay_length(method, r) /
                         modulus();
                }));
@@ -46,19 +45,19 @@ public:
     as_series.color = color;
     const std::string own = series_color(as_series);
     panel_.add(method.name + ", standing contact", point_style(as_series),
-               curve(method, [](const CurvePoint& row, std::size_t) {
+               spread_curve(method, [](const CurvePoint& row, std::size_t) {
                  return row[columns::relative_conductance];
                }));
     panel_.add(method.name + ", -dp/du of the curve", line(own, 1.4),
-               curve(method, [&](const CurvePoint& row, std::size_t) {
+               spread_curve(method, [&](const CurvePoint& row, std::size_t) {
                  return row.contact_stiffness / modulus();
                }));
     panel_.add(method.name + ", spots as circles alone", line(own, 1.0, 2),
-               curve(method, [](const CurvePoint& row, std::size_t) {
+               spread_curve(method, [](const CurvePoint& row, std::size_t) {
                  return 2.0 * row[columns::spot_radii];
                }));
     panel_.add(method.name + ", Barber's lower bound", line(own, 1.0, 3),
-               curve(method, [&](const CurvePoint& row, std::size_t r) {
+               spread_curve(method, [&](const CurvePoint& row, std::size_t r) {
                  const results::SurfaceRecord* const surface =
                      surface_of(*entry_.result, method, r);
                  return surface == nullptr
@@ -103,19 +102,12 @@ private:
   /// u_0 of Eq. (18) of a theory [m]; NaN without it.
   double decay_length(const results::MethodRecord& method,
                       std::size_t realization) const {
-    const auto& methods = entry_.summary.methods;
-    const auto found =
-        std::ranges::find(methods, method.name, &MethodSummary::name);
-    if (found == methods.end() || found->fits.size() <= realization)
+    const MethodSummary* const found =
+        method_called(entry_.summary.methods, method.name);
+    if (found == nullptr || found->fits.size() <= realization)
       return not_a_number;
     const RealizationFits& fits = found->fits[realization];
     return fits.asymptotic_slope * fits.scales.rms_height;
-  }
-
-  template <class Number>
-  SpreadCurve curve(const results::MethodRecord& method,
-                    const Number& number) const {
-    return spread_curve(method, number);
   }
 
   /// The conductances over the relative one, of the first row that has them.
@@ -137,14 +129,10 @@ private:
   SpreadPanel panel_{"G/k [1/mm]", per_millimetre, "without contact"};
 };
 
-std::vector<Figure> conductance_figures(const ReportEntry& entry, std::size_t,
-                                        std::span<const Series>) {
-  std::vector<Figure> figures;
-  if (asks<ConductanceStudy>(*entry.contact_case))
-    if (auto figure =
-            figure_of_methods(ConductanceFigure(entry), entry.result->methods))
-      figures.push_back(std::move(*figure));
-  return figures;
+std::optional<Figure> conductance_figure(const ReportEntry& entry) {
+  if (!asks<ConductanceStudy>(*entry.contact_case))
+    return std::nullopt;
+  return figure_of_methods(ConductanceFigure(entry), entry.result->methods);
 }
 
 std::string conductance_text(const cases::Case& contact_case) {
@@ -161,13 +149,47 @@ std::string conductance_text(const cases::Case& contact_case) {
   return text;
 }
 
+/// Other stiffnesses over that of the standing contact.
+std::vector<NumberAtLoad> stiffness_ratios() {
+  return {
+      {{.name = "curve_stiffness_ratio",
+        .description = "-dp/du of the curve over the stiffness of the standing "
+                       "contact; needs [conductance] and a step at this load "
+                       "[1].",
+        .of = cases::QuantityOf::load},
+       [](const StepAtLoad& step) {
+         return step.row.contact_stiffness / step.contact_modulus /
+                step.row[columns::relative_conductance];
+       }},
+      {{.name = "spot_stiffness_ratio",
+        .description = "Stiffness of the spots as circles alone over that of "
+                       "the standing contact; needs [conductance], [spots] and "
+                       "a step at this load [1].",
+        .of = cases::QuantityOf::load},
+       [](const StepAtLoad& step) {
+         return 2.0 * step.row[columns::spot_radii] /
+                step.row[columns::relative_conductance];
+       }},
+      {{.name = "theory_stiffness_ratio",
+        .description = "-dp/du of theory over the stiffness of the standing "
+                       "contact; needs [conductance] and a step at this load "
+                       "[1].",
+        .needs_theory = true,
+        .of = cases::QuantityOf::load},
+       [](const StepAtLoad& step) {
+         return step.theory->contact_stiffness / step.contact_modulus /
+                step.row[columns::relative_conductance];
+       }}};
+}
+
 } // namespace
 
 const StudyPages& conductance_pages() {
   static const StudyPages pages{.name = "conductance",
                                 .figure_names = {"conductance"},
-                                .figures = conductance_figures,
-                                .methods_text = conductance_text};
+                                .figures = drawn_by<conductance_figure>,
+                                .methods_text = conductance_text,
+                                .at_load = stiffness_ratios()};
   return pages;
 }
 

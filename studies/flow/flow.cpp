@@ -1,10 +1,11 @@
 #include "studies/flow/flow.hpp"
 
 #include "fem/plugin.hpp"
+#include "input/reader/bound_key.hpp"
 #include "mechanics/flow/effective_medium.hpp"
 #include "mechanics/flow/reynolds.hpp"
 #include "results/observables/row_observer.hpp"
-#include "studies/flow/flow_study.hpp"
+#include "studies/key_checks.hpp"
 #include "theory/persson/leakage.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,16 @@
 
 namespace asperity::studies {
 namespace {
+
+using cases::at_least;
+using cases::Case;
+using cases::Dimension;
+using cases::eg;
+using cases::key;
+using cases::MethodSpec;
+using cases::needed;
+using cases::TableReader;
+using Flow = FlowStudy;
 
 flow::NetworkSolution solved(const flow::Network& network) {
   return fem::load_fem_module().solved_network(network);
@@ -74,8 +85,12 @@ results::Table flow_map_table(const std::string& method, const Grid& grid,
                               mechanics::Border border) {
   const flow::GapFlow flow = flow::flow_through(
       grid, nodes.open_gaps(), flow::Direction::x, border, solved, true);
-  results::Column x{"x", "m", {}}, y{"y", "m", {}}, flux{"flux", "1", {}},
-      critical{"is_critical", "1", {}};
+  results::Table table{
+      "flow-" + method,
+      fmt::format("Flux along x through the gap of {}, "
+                  "narrowest at {:.3g} nm",
+                  method, flow.critical_gap * 1e9),
+      {{"x", "m"}, {"y", "m"}, {"flux", "1"}, {"is_critical", "1"}}};
   const int side =
       (std::max(grid.points_x, grid.points_y) - 1) / most_points + 1;
   for (int iy = 0; flow.percolates && iy < grid.points_y; iy += side)
@@ -86,19 +101,13 @@ results::Table flow_map_table(const std::string& method, const Grid& grid,
       for (int jy = iy; jy < end_y; ++jy)
         for (int jx = ix; jx < end_x; ++jx)
           sum += flow.flux[grid.index(jx, jy)];
-      x.values.push_back(0.5 * (ix + end_x - 1) * grid.spacing_x());
-      y.values.push_back(0.5 * (iy + end_y - 1) * grid.spacing_y());
-      flux.values.push_back(sum / ((end_x - ix) * (end_y - iy)));
-      critical.values.push_back(flow.critical_x / side == ix / side &&
-                                        flow.critical_y / side == iy / side
-                                    ? 1.0
-                                    : 0.0);
+      const bool is_critical = flow.critical_x / side == ix / side &&
+                               flow.critical_y / side == iy / side;
+      table.add({0.5 * (ix + end_x - 1) * grid.spacing_x(),
+                 0.5 * (iy + end_y - 1) * grid.spacing_y(),
+                 sum / ((end_x - ix) * (end_y - iy)), is_critical ? 1.0 : 0.0});
     }
-  return {"flow-" + method,
-          fmt::format("Flux along x through the gap of {}, narrowest at "
-                      "{:.3g} nm",
-                      method, flow.critical_gap * 1e9),
-          {x, y, flux, critical}};
+  return table;
 }
 
 /// Keeps the rows of a flow map that are on the user's map. The narrowest place
@@ -144,18 +153,17 @@ void evaluate_flow(const Step& step, results::CurvePoint& row) {
     const std::vector<double> gap = step.nodes.open_gaps();
     const mechanics::Border border = step.method.border();
     const Grid& grid = step.grid;
-    const flow::GapFlow x =
-        flow::flow_through(grid, gap, flow::Direction::x, border, solved);
-    const flow::GapFlow y =
-        flow::flow_through(grid, gap, flow::Direction::y, border, solved);
-    row[columns::flow_factor_x] = x.flow_factor;
-    row[columns::flow_factor_y] = y.flow_factor;
-    row[columns::flow_conductance_x] =
-        x.conductance * grid.length_x / grid.length_y;
-    row[columns::flow_conductance_y] =
-        y.conductance * grid.length_y / grid.length_x;
-    row[columns::critical_gap_x] = x.critical_gap;
-    row[columns::critical_gap_y] = y.critical_gap;
+    for (const bool is_y : {false, true}) {
+      const flow::GapFlow found = flow::flow_through(
+          grid, gap, is_y ? flow::Direction::y : flow::Direction::x, border,
+          solved);
+      const double length_over_width =
+          is_y ? grid.length_y / grid.length_x : grid.length_x / grid.length_y;
+      row[columns::flow_factor.along(is_y)] = found.flow_factor;
+      row[columns::flow_conductance.along(is_y)] =
+          found.conductance * length_over_width;
+      row[columns::critical_gap.along(is_y)] = found.critical_gap;
+    }
     row[columns::effective_medium] = flow::effective_medium(gap);
   });
 }
@@ -177,18 +185,18 @@ void evaluate_flow_of_theory(const cases::Case& contact_case,
     const OpeningGaps opening = opening_gaps(magnified);
     row[columns::effective_medium] =
         flow::effective_medium(opening.gaps, opening.shares);
-    row[columns::flow_conductance_x] = row[columns::flow_conductance_y] =
-        row[columns::effective_medium];
+    const double medium = row[columns::effective_medium];
+    const theory::Leak leak =
+        theory::leakage(magnified, {0.0, study.viscosity}, study.pressure_drop);
     results::RowObserver observe(row);
-    for (const char* const factor : {"flow_factor_x", "flow_factor_y"})
-      observe(factor, [&] {
-        return results::Observed{row[columns::effective_medium] /
-                                     std::pow(row.mean_gap, 3.0),
+    for (const bool is_y : {false, true}) {
+      row[columns::flow_conductance.along(is_y)] = medium;
+      row[columns::critical_gap.along(is_y)] = leak.pore_gap;
+      observe(columns::flow_factor.along(is_y), [&] {
+        return results::Observed{medium / std::pow(row.mean_gap, 3.0),
                                  "the mean gap is too small for a number"};
       });
-    row[columns::critical_gap_x] = row[columns::critical_gap_y] =
-        theory::leakage(magnified, {0.0, study.viscosity}, study.pressure_drop)
-            .pore_gap;
+    }
   });
 }
 
@@ -197,8 +205,9 @@ void set_leak_rates(const cases::Case& contact_case, results::CurvePoint& row) {
   const FlowStudy& study = *contact_case.study<FlowStudy>();
   const double rate =
       study.pressure_drop / (12.0 * study.viscosity) * study.aspect();
-  row[columns::leak_rate_x] = row[columns::flow_conductance_x] * rate;
-  row[columns::leak_rate_y] = row[columns::flow_conductance_y] * rate;
+  for (const bool is_y : {false, true})
+    row[columns::leak_rate.along(is_y)] =
+        row[columns::flow_conductance.along(is_y)] * rate;
 }
 
 /// The flux through the gap of a saved step, on the user's map; nothing if it
@@ -211,6 +220,67 @@ std::optional<results::Table> flow_map(const Step& step,
     return std::nullopt;
   keep_user_map(step.grid, map, table);
   return table;
+}
+
+cases::Table keys_of_flow() {
+  return {
+      .name = "flow",
+      .when = "Optional; needs a method with a gap.",
+      .description =
+          "The flow of a fluid through the gap of each load step, by Reynolds' "
+          "equation (docs/numerics/flow.md), along x and along y.",
+      .keys = {
+          key<&Flow::viscosity>("viscosity", Dimension::viscosity,
+                                "Viscosity of the fluid.", needed("1 mPa s")),
+          key<&Flow::pressure_drop>(
+              "pressure_drop", {Dimension::pressure, at_least(0.0)},
+              "Pressure drop across the seal.", needed("10 kPa")),
+          key<&Flow::length>("length", Dimension::length,
+                             "Length of the seal along the flow.",
+                             eg("5 mm", "default: that of a square")),
+          key<&Flow::width>("width", Dimension::length,
+                            "Width of the seal across the flow.",
+                            eg("100 mm", "default: that of a square")),
+      }};
+}
+
+void read_flow(TableReader table, Case& read) {
+  FlowStudy study;
+  table.read(study);
+  require_fields(table, read, "gap");
+  if (study.length.has_value() != study.width.has_value())
+    table.complain_missing(study.length ? "width" : "length",
+                           ": a seal has both");
+  read.studies.ask(study);
+}
+
+std::string no_flow(const Case&, const MethodSpec& method) {
+  const auto* const theory =
+      std::get_if<mechanics::TheorySettings>(&method.settings);
+  return theory != nullptr &&
+                 theory->loss_factor != mechanics::LossFactor::yang_persson
+             ? "needs loss_factor = \"yang-persson\""
+             : "";
+}
+
+/// The numbers of [flow] scale the answer.
+std::string flow_key(const cases::Case&) {
+  return "\nflow";
+}
+
+const cases::StudyKeys& flow_keys() {
+  static const cases::StudyKeys keys{
+      .tables = {keys_of_flow()},
+      .read = read_flow,
+      .is_asked = asks<FlowStudy>,
+      .questions = {{"[flow]",
+                     {"flow_factor_x", "flow_factor_y", "flow_conductance_x",
+                      "flow_conductance_y", "critical_gap_x", "critical_gap_y",
+                      "leak_rate_x", "leak_rate_y", "effective_medium"},
+                     asks<FlowStudy>,
+                     no_flow}},
+      .step_key = flow_key};
+  return keys;
 }
 
 } // namespace

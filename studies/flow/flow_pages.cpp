@@ -6,7 +6,6 @@
 #include "reports/pages/answers.hpp"
 #include "studies/answers.hpp"
 #include "studies/flow/flow.hpp"
-#include "studies/flow/flow_study.hpp"
 
 #include <fmt/format.h>
 
@@ -34,11 +33,11 @@ public:
   void add_theory(const results::MethodRecord& method) {
     panel_.add(method.name + ", effective medium", line("#222222", 1.6),
                spread_curve(method, [](const CurvePoint& row, std::size_t) {
-                 return row[columns::leak_rate_x];
+                 return row[columns::leak_rate.x];
                }));
     panel_.add(method.name + ", critical junction", line("#222222", 1.2, 2),
                spread_curve(method, [&](const CurvePoint& row, std::size_t) {
-                 return rate_ * std::pow(row[columns::critical_gap_x], 3.0);
+                 return rate_ * std::pow(row[columns::critical_gap.x], 3.0);
                }));
   }
 
@@ -48,8 +47,8 @@ public:
     as_series.color = color;
     CurveStyle style = point_style(as_series);
     for (const auto& [direction, rate] :
-         {std::pair("x", &columns::leak_rate_x),
-          std::pair("y", &columns::leak_rate_y)}) {
+         {std::pair("x", &columns::leak_rate.x),
+          std::pair("y", &columns::leak_rate.y)}) {
       const SpreadCurve leaks = spread_curve(
           method, [rate = rate](const CurvePoint& row, std::size_t) {
             return row[*rate];
@@ -152,8 +151,7 @@ std::optional<Figure> flux_figure(const std::string& method,
   return figure;
 }
 
-std::vector<Figure> flow_figures(const ReportEntry& entry, std::size_t,
-                                 std::span<const Series>) {
+std::vector<Figure> flow_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;
   if (const auto* const study = entry.contact_case->study<FlowStudy>())
     if (auto leaks =
@@ -225,14 +223,47 @@ std::string flow_along(const char* direction,
 /// The answer of the method of answered_row().
 std::string flow_answer(const ReportEntry& entry) {
   const auto* const study = entry.contact_case->study<FlowStudy>();
-  const AnsweredRow answer = answered_row(entry, columns::leak_rate_x);
+  const AnsweredRow answer = answered_row(entry, columns::leak_rate.x);
   if (study == nullptr || answer.row == nullptr)
     return "";
   const auto& points = answer.method->realizations.front().points;
   return fmt::format("{}: {}, {}{}.", fluid_words(*study),
-                     flow_along("x", points, columns::leak_rate_x),
-                     flow_along("y", points, columns::leak_rate_y),
+                     flow_along("x", points, columns::leak_rate.x),
+                     flow_along("y", points, columns::leak_rate.y),
                      method_in_words(entry, *answer.method));
+}
+
+/// Mean over both directions of log10 of a number; minus infinity if one of
+/// them is sealed.
+double mean_log10(const CurvePoint& row, const columns::DirectedColumn& flow) {
+  return 0.5 * (std::log10(row[flow.x]) + std::log10(row[flow.y]));
+}
+
+std::vector<NumberAtLoad> numbers_of_flow() {
+  constexpr const char* sealed =
+      "{} of {} realisations are sealed at p/E* = {:.4g} in a direction, where "
+      "the leak rate is 0 and has no logarithm";
+  return {
+      {{.name = "log10_flow_factor",
+        .description = "log10 of the flow factor, the mean of both "
+                       "directions; needs [flow] and a step at this load [1].",
+        .theory_answers = true,
+        .of = cases::QuantityOf::load},
+       [](const StepAtLoad& step) {
+         return mean_log10(step.row, columns::flow_factor);
+       },
+       sealed},
+      {{.name = "leak_departure",
+        .description = "log10 of the leak rate over that of theory, the mean "
+                       "of both directions; needs [flow] and a step at this "
+                       "load [1].",
+        .needs_theory = true,
+        .of = cases::QuantityOf::load},
+       [](const StepAtLoad& step) {
+         return mean_log10(step.row, columns::leak_rate) -
+                mean_log10(*step.theory, columns::leak_rate);
+       },
+       sealed}};
 }
 
 } // namespace
@@ -240,9 +271,10 @@ std::string flow_answer(const ReportEntry& entry) {
 const StudyPages& flow_pages() {
   static const StudyPages pages{.name = "flow",
                                 .figure_names = {"flux-", "leak-rate"},
-                                .figures = flow_figures,
+                                .figures = drawn_by<flow_figures>,
                                 .answer = flow_answer,
-                                .methods_text = flow_text};
+                                .methods_text = flow_text,
+                                .at_load = numbers_of_flow()};
   return pages;
 }
 

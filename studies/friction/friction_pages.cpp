@@ -6,7 +6,6 @@
 #include "reports/figures/plot_parts.hpp"
 #include "reports/pages/answers.hpp"
 #include "studies/friction/friction.hpp"
-#include "studies/friction/friction_study.hpp"
 #include "studies/friction/partial_slip.hpp"
 
 #include <fmt/format.h>
@@ -121,7 +120,7 @@ std::vector<double> slip_row(std::size_t curve, const SlipPoint& at) {
           at.loss.y.mean};
 }
 
-std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
+std::optional<Figure> slip_figure(const ReportEntry& entry,
                                   std::span<const Series> series) {
   Figure figure;
   figure.name = "partial-slip";
@@ -137,10 +136,9 @@ std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
     const auto curves =
         partial_slips(*entry.result, *entry.contact_case, method);
     const std::vector<SlipPoint> points = slip_points(curves);
-    const auto own = std::ranges::find_if(series, [&](const Series& one) {
-      return one.entry == index && one.method != nullptr &&
-             one.method->name == method.name;
-    });
+    const auto own = std::ranges::find(
+        series, method_called(entry.summary.methods, method.name),
+        &Series::method);
     if (points.empty() || own == series.end())
       continue;
     for (const SlipPoint& at : points)
@@ -189,12 +187,11 @@ std::vector<Figure> traction_figures(const ReportEntry& entry) {
   return figures;
 }
 
-std::vector<Figure> friction_figures(const ReportEntry& entry,
-                                     std::size_t index,
-                                     std::span<const Series> series) {
-  std::vector<Figure> figures = traction_figures(entry);
-  if (auto slip = slip_figure(entry, index, series))
-    figures.insert(figures.begin(), std::move(*slip));
+std::vector<Figure> friction_figures(const FigureData& data) {
+  const ReportEntry& entry = data.entries.front();
+  std::vector<Figure> figures = as_list(slip_figure(entry, data.series));
+  for (Figure& traction : traction_figures(entry))
+    figures.push_back(std::move(traction));
   return figures;
 }
 
@@ -305,6 +302,16 @@ void add_friction_quantities(const results::Result& result,
     add_slip_quantities(result, contact_case, method, summary);
 }
 
+std::vector<cases::ExpectationName> quantities_of_friction() {
+  return {{.name = "partial_slip_error",
+           .description =
+               "Largest error of the displacement of a tangential load, over "
+               "that at which the contact slides, and of the area that sticks, "
+               "over that of the contact; needs [friction] and free boundaries "
+               "[1].",
+           .surfaces = {mechanics::SurfaceKind::sphere}}};
+}
+
 } // namespace
 
 const StudyPages& friction_pages() {
@@ -313,6 +320,7 @@ const StudyPages& friction_pages() {
                                 .figures = friction_figures,
                                 .answer = friction_answer,
                                 .methods_text = friction_text,
+                                .quantities = quantities_of_friction(),
                                 .add_quantities = add_friction_quantities,
                                 .add_tables = add_friction_tables};
   return pages;

@@ -3,7 +3,7 @@
 #include "reports/analysis/exact.hpp"
 #include "reports/numbers/fits.hpp"
 #include "results/types/method_columns.hpp"
-#include "studies/friction/friction_study.hpp"
+#include "studies/friction/friction.hpp"
 #include "studies/study.hpp"
 #include "theory/exact/hertz.hpp"
 
@@ -25,8 +25,8 @@ using results::CurvePoint;
 /// kappa of the contact of a row, from its stiffnesses along x and y, whose
 /// compliances have the mean of that ratio; that ratio for an isotropic theory.
 mechanics::Directions ratios_of(const CurvePoint& row, double mean_ratio) {
-  const double x = row[columns::stick_stiffness_x],
-               y = row[columns::stick_stiffness_y];
+  const double x = row[columns::stick_stiffness.x],
+               y = row[columns::stick_stiffness.y];
   if (!(x > 0.0 && y > 0.0))
     return {mean_ratio, mean_ratio};
   return {2.0 * mean_ratio * y / (x + y), 2.0 * mean_ratio * x / (x + y)};
@@ -76,7 +76,7 @@ double normal_load(const results::Result& result,
 mechanics::Directions stiffness_of(const CurvePoint& row, double mean_ratio,
                                    bool is_theory) {
   if (!is_theory)
-    return {row[columns::stick_stiffness_x], row[columns::stick_stiffness_y]};
+    return {row[columns::stick_stiffness.x], row[columns::stick_stiffness.y]};
   const double of_theory = row.contact_stiffness / mean_ratio;
   return {of_theory, of_theory};
 }

@@ -6,7 +6,6 @@
 #include "results/observables/distributions.hpp"
 #include "results/types/result.hpp"
 #include "studies/magnification/magnification.hpp"
-#include "studies/magnification/magnification_study.hpp"
 #include "studies/theory_quantities.hpp"
 
 #include <fmt/format.h>
@@ -303,8 +302,7 @@ void add_leaks(const results::Result& result, Figure& figure) {
   figure.caption += ".";
 }
 
-std::vector<Figure> magnification_figures(const ReportEntry& entry, std::size_t,
-                                          std::span<const Series>) {
+std::vector<Figure> magnification_figures(const ReportEntry& entry) {
   const MagnifiedStudy study = study_of(*entry.result);
   if (study.loads.empty())
     return {};
@@ -368,7 +366,7 @@ Estimate at_magnification(const results::Result& result,
                           const cases::QuantityAtLoad& asked) {
   const results::Table* loads = result.table("magnification");
   if (loads == nullptr)
-    return without("the study of magnifications was not run");
+    return {.remark = "the study of magnifications was not run"};
   const double pressure =
       asked.nominal_pressure.in_si({result.contact_modulus, 0.0, 0.0, 0.0});
   const std::vector<double> pressures = loads->values("nominal_pressure");
@@ -380,8 +378,8 @@ Estimate at_magnification(const results::Result& result,
   const results::Table* rows =
       found == pressures.end() ? nullptr : table_of_load(result, load);
   if (rows == nullptr)
-    return without(fmt::format("p = {:.6g} Pa is not a load of [magnification]",
-                               pressure));
+    return {.remark = fmt::format(
+                "p = {:.6g} Pa is not a load of [magnification]", pressure)};
   const bool is_area = asked.quantity == "area_fraction";
   const double value =
       between_rows(rows->values("magnification"),
@@ -391,9 +389,10 @@ Estimate at_magnification(const results::Result& result,
                        : asked.quantity == "reduced_mean_gap"
                            ? loads->values("rms_height").at(load)
                            : loads->values("mean_gap").at(load);
-  return number(value / scale,
-                fmt::format("zeta = {:g} lies outside the computed range",
-                            *asked.magnification));
+  return single_number(
+      value / scale, "from the formula",
+      fmt::format("zeta = {:g} lies outside the computed range",
+                  *asked.magnification));
 }
 
 /// Returns the largest |u/u' - 1| between the rows of two loads, for
@@ -416,7 +415,7 @@ Estimate gap_pressure_dependence(const results::Result& result) {
                                             ? std::vector<double>{}
                                             : loads->values("nominal_pressure");
   if (pressures.size() < 2)
-    return without("the study of magnifications has fewer than two loads");
+    return {.remark = "the study of magnifications has fewer than two loads"};
   std::vector<std::size_t> order(pressures.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -425,10 +424,11 @@ Estimate gap_pressure_dependence(const results::Result& result) {
   const results::Table* light = table_of_load(result, order[0]);
   const results::Table* heavy = table_of_load(result, order[1]);
   if (light == nullptr || heavy == nullptr)
-    return without("a table of magnifications is missing");
+    return {.remark = "a table of magnifications is missing"};
   const double begin = loads->values("lowest_magnification").at(order[0]);
-  return number(largest_difference(*light, *heavy, 2.0 * begin),
-                "no computed magnification is high enough");
+  return single_number(largest_difference(*light, *heavy, 2.0 * begin),
+                       "from the formula",
+                       "no computed magnification is high enough");
 }
 
 void add_magnification_quantities(const results::Result& result,
@@ -446,6 +446,23 @@ void add_magnification_quantities(const results::Result& result,
     if (asked && asked->magnification)
       quantities[name] = at_magnification(result, *asked);
   }
+}
+
+std::vector<cases::ExpectationName> quantities_of_magnification() {
+  const auto seen = [](const char* name, const char* description) {
+    return quantity_of_theory(name, description, "magnification",
+                              cases::QuantityOf::magnification);
+  };
+  return {
+      quantity_of_theory("gap_pressure_dependence",
+                         "Largest |u(zeta) / u'(zeta) - 1| between the two "
+                         "lightest loads of [magnification], from twice the "
+                         "zeta at which roughness begins [1].",
+                         "magnification"),
+      seen("area_fraction", "A(zeta)/A_0 [1]."),
+      seen("reduced_mean_gap",
+           "u(zeta) / h_rms, with h_rms of the full surface [1]."),
+      seen("mean_gap_ratio", "u(zeta) divided by the mean gap u [1].")};
 }
 
 std::string magnification_text(const cases::Case& contact_case) {
@@ -472,9 +489,10 @@ const StudyPages& magnification_pages() {
       .name = "magnification",
       .figure_names = {"magnification-opening", "magnification-parts",
                        "magnification-separation", "separation-distributions-"},
-      .figures = magnification_figures,
+      .figures = drawn_by<magnification_figures>,
       .answer = magnification_answer,
       .methods_text = magnification_text,
+      .quantities = quantities_of_magnification(),
       .add_quantities = add_magnification_quantities};
   return pages;
 }

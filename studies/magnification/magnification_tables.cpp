@@ -12,7 +12,6 @@
 namespace asperity::studies {
 namespace {
 
-using results::Column;
 using results::Table;
 using theory::MagnifiedContact;
 
@@ -47,60 +46,57 @@ magnified_contacts(const theory::PerssonContact& contact,
 }
 
 Table loads_table(std::span<const MagnifiedContact> contacts) {
-  Column pressure{"nominal_pressure", "Pa", {}};
-  Column weight{"contact_weight", "1", {}};
-  Column gap{"mean_gap", "m", {}};
-  Column height{"rms_height", "m", {}};
-  Column lowest{"lowest_magnification", "1", {}};
-  Column highest{"highest_magnification", "1", {}};
-  for (const MagnifiedContact& contact : contacts) {
-    pressure.values.push_back(contact.nominal_pressure());
-    weight.values.push_back(contact_weight(contact));
-    gap.values.push_back(contact.mean_gap(contact.lowest_magnification()));
-    height.values.push_back(contact.contact().spectrum().rms_height());
-    lowest.values.push_back(contact.lowest_magnification());
-    highest.values.push_back(contact.highest_magnification());
-  }
-  return {"magnification",
-          "Loads of the magnification study",
-          {pressure, weight, gap, height, lowest, highest}};
+  Table table{"magnification",
+              "Loads of the magnification study",
+              {{"nominal_pressure", "Pa"},
+               {"contact_weight", "1"},
+               {"mean_gap", "m"},
+               {"rms_height", "m"},
+               {"lowest_magnification", "1"},
+               {"highest_magnification", "1"}}};
+  for (const MagnifiedContact& contact : contacts)
+    table.add({contact.nominal_pressure(), contact_weight(contact),
+               contact.mean_gap(contact.lowest_magnification()),
+               contact.contact().spectrum().rms_height(),
+               contact.lowest_magnification(),
+               contact.highest_magnification()});
+  return table;
 }
 
 Table magnification_table(const std::string& name,
                           const MagnifiedContact& contact,
                           const MagnificationStudy& study) {
-  Column magnification{"magnification", "1", {}};
-  Column area{"area_fraction", "1", {}};
-  Column height{"rms_height", "m", {}};
-  Column gap{"mean_gap", "m", {}};
-  Column printed{"mean_gap_as_printed", "m", {}};
-  Column opening{"opening_gap", "m", {}};
-  Column density{"gap_density", "1/m", {}};
+  Table table{name,
+              "A, h_rms, u, u_1 and the density of Eq. (27) of Yang and "
+              "Persson (2008) against zeta, " +
+                  load_text(contact),
+              {{"magnification", "1"},
+               {"area_fraction", "1"},
+               {"rms_height", "m"},
+               {"mean_gap", "m"},
+               {"mean_gap_as_printed", "m"},
+               {"opening_gap", "m"},
+               {"gap_density", "1/m"}}};
   for (int k = 0; k < study.points; ++k) {
     const double zeta = in_equal_ratios(study.from, study.to, k, study.points);
     const bool opens = zeta > contact.lowest_magnification() &&
                        zeta < contact.highest_magnification();
-    magnification.values.push_back(zeta);
-    area.values.push_back(contact.area_fraction(zeta));
-    height.values.push_back(contact.rms_height(zeta));
-    gap.values.push_back(contact.mean_gap(zeta));
-    printed.values.push_back(contact.mean_gap_as_printed(zeta));
-    opening.values.push_back(contact.opening_gap(zeta));
-    density.values.push_back(opens ? contact.gap_density(zeta) : not_a_number);
+    table.add({zeta, contact.area_fraction(zeta), contact.rms_height(zeta),
+               contact.mean_gap(zeta), contact.mean_gap_as_printed(zeta),
+               contact.opening_gap(zeta),
+               opens ? contact.gap_density(zeta) : not_a_number});
   }
-  return {name,
-          "A, h_rms, u, u_1 and the density of Eq. (27) of Yang and Persson "
-          "(2008) against zeta, " +
-              load_text(contact),
-          {magnification, area, height, gap, printed, opening, density}};
+  return table;
 }
 
 Table gap_distribution_table(const std::string& name,
                              const MagnifiedContact& contact) {
-  Column cumulative{"cumulative", "1", {}};
-  Column gap{"gap", "m", {}};
-  Column density{"density", "1/m", {}};
   const double weight = contact_weight(contact);
+  Table table{name,
+              fmt::format("Distribution of u_1 by Eq. (27) of Yang and Persson "
+                          "(2008), {}, with the weight {:.4g} at u = 0",
+                          load_text(contact), weight),
+              {{"cumulative", "1"}, {"gap", "m"}, {"density", "1/m"}}};
   for (int k = 1; k < n_quantiles; ++k) {
     const double part =
         0.5 * (1.0 - std::cos(std::numbers::pi * k / n_quantiles));
@@ -108,42 +104,36 @@ Table gap_distribution_table(const std::string& name,
     const auto zeta = contact.magnification_of_area(area);
     if (!zeta || !(*zeta < contact.highest_magnification()))
       continue;
-    cumulative.values.push_back(area);
-    gap.values.push_back(contact.opening_gap(*zeta));
-    density.values.push_back(contact.gap_density(*zeta));
+    table.add({area, contact.opening_gap(*zeta), contact.gap_density(*zeta)});
   }
-  return {name,
-          fmt::format("Distribution of u_1 by Eq. (27) of Yang and Persson "
-                      "(2008), {}, with the weight {:.4g} at u = 0",
-                      load_text(contact), weight),
-          {cumulative, gap, density}};
+  return table;
 }
 
 Table leak_table(std::span<const MagnifiedContact> contacts,
                  const LeakStudy& study) {
-  Column pressure{"nominal_pressure", "Pa", {}};
-  Column magnification{"magnification", "1", {}};
-  Column size{"pore_size", "m", {}};
-  Column gap{"pore_gap", "m", {}};
-  Column flow{"mass_flow", "kg/s", {}};
   const double critical =
       study.critical_area.value_or(theory::square_lattice_critical_area);
+  Table table{"leak",
+              fmt::format("The pore at which the open area percolates, A/A_0 = "
+                          "{:.4g}",
+                          critical),
+              {{"nominal_pressure", "Pa"},
+               {"magnification", "1"},
+               {"pore_size", "m"},
+               {"pore_gap", "m"},
+               {"mass_flow", "kg/s"}}};
   for (const MagnifiedContact& contact : contacts) {
     const theory::Leak leak =
         theory::leakage(contact, {study.density, study.viscosity},
                         study.pressure_drop, critical);
-    pressure.values.push_back(contact.nominal_pressure());
-    magnification.values.push_back(leak.percolates ? leak.magnification
-                                                   : not_a_number);
-    size.values.push_back(leak.percolates ? leak.pore_size : not_a_number);
-    gap.values.push_back(leak.percolates ? leak.pore_gap : not_a_number);
-    flow.values.push_back(leak.percolates ? leak.mass_flow : not_a_number);
+    const double load = contact.nominal_pressure();
+    if (leak.percolates)
+      table.add({load, leak.magnification, leak.pore_size, leak.pore_gap,
+                 leak.mass_flow});
+    else
+      table.add({load, not_a_number, not_a_number, not_a_number, not_a_number});
   }
-  return {"leak",
-          fmt::format("The pore at which the open area percolates, A/A_0 = "
-                      "{:.4g}",
-                      critical),
-          {pressure, magnification, size, gap, flow}};
+  return table;
 }
 
 } // namespace asperity::studies

@@ -4,7 +4,7 @@
 // names. Equation numbers refer to Yang and Persson (2008).
 
 #include "results/types/result.hpp"
-#include "studies/magnification/magnification_study.hpp"
+#include "studies/magnification/magnification.hpp"
 #include "theory/persson/magnification.hpp"
 
 #include <span>

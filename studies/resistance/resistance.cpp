@@ -1,7 +1,6 @@
 #include "studies/resistance/resistance.hpp"
 
-#include "studies/conductance/conductance_study.hpp"
-#include "studies/resistance/resistance_columns.hpp"
+#include "studies/conductance/conductance.hpp"
 
 #include <cmath>
 
@@ -21,14 +20,14 @@ void set_resistances(const cases::Case&, results::CurvePoint& row) {
       row, inverse(row[columns::electrical_conductance]));
 }
 
-} // namespace
-
 /// It has no keys of its own: it answers [conductance], too, after it.
 const cases::StudyKeys& resistance_keys() {
   static const cases::StudyKeys keys{
       .tables = {}, .read = nullptr, .is_asked = asks<ConductanceStudy>};
   return keys;
 }
+
+} // namespace
 
 const Study resistance_study{.keys = resistance_keys,
                              .pages = resistance_pages,

@@ -2,7 +2,6 @@
 #include "base/shown_number.hpp"
 #include "studies/answers.hpp"
 #include "studies/resistance/resistance.hpp"
-#include "studies/resistance/resistance_columns.hpp"
 
 #include <fmt/format.h>
 

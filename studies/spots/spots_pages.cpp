@@ -5,7 +5,6 @@
 #include "results/observables/clusters.hpp"
 #include "studies/answers.hpp"
 #include "studies/spots/spots.hpp"
-#include "studies/spots/spots_study.hpp"
 
 #include <fmt/format.h>
 
@@ -59,8 +58,7 @@ void add_sizes(std::vector<results::Cluster> clusters, const std::string& label,
   panel.add(label, std::move(style), index, 3, 4);
 }
 
-std::vector<Figure> spot_figures(const ReportEntry& entry, std::size_t,
-                                 std::span<const Series>) {
+std::vector<Figure> spot_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;
   if (!asks<SpotsStudy>(*entry.contact_case))
     return figures;
@@ -114,7 +112,7 @@ std::string spots_answer(const ReportEntry& entry) {
 const StudyPages& spots_pages() {
   static const StudyPages pages{.name = "spots",
                                 .figure_names = {"spots-"},
-                                .figures = spot_figures,
+                                .figures = drawn_by<spot_figures>,
                                 .answer = spots_answer};
   return pages;
 }

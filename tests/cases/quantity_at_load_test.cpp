@@ -52,7 +52,8 @@ TEST(QuantityAtLoad, IsFoundByItsName) {
 // The contact at a magnification is known to the theory alone; these two flags
 // state it for the reports.
 TEST(QuantityAtLoad, AtAMagnificationIsTheTheorys) {
-  for (const ExpectationName& quantity : quantities_at_magnification()) {
+  for (const ExpectationName& quantity :
+       expectation_names(QuantityOf::magnification)) {
     EXPECT_TRUE(quantity.theory_answers) << quantity.name;
     EXPECT_TRUE(quantity.theory_only) << quantity.name;
   }

@@ -85,10 +85,10 @@ TEST(CurveRow, OfAnyFieldsIsARow) {
 TEST(CurveRow, HasTheCentreOfPressureOfAShape) {
   const auto one = [](int node) { return node == 7 ? 1e6 : 0.0; };
 
-  EXPECT_DOUBLE_EQ(row_of(one, true)[columns::pressure_centre_x],
+  EXPECT_DOUBLE_EQ(row_of(one, true)[columns::pressure_centre.x],
                    -1e-6 / points);
-  EXPECT_DOUBLE_EQ(row_of(one, true)[columns::pressure_centre_y], -0.5e-6);
-  EXPECT_TRUE(std::isnan(row_of(one, false)[columns::pressure_centre_x]));
+  EXPECT_DOUBLE_EQ(row_of(one, true)[columns::pressure_centre.y], -0.5e-6);
+  EXPECT_TRUE(std::isnan(row_of(one, false)[columns::pressure_centre.x]));
 }
 
 // Half of the nodes in contact carry the hardness; the imprint is 2 nm deep in

@@ -1,6 +1,6 @@
 // [friction] of a case: load steps, figures, the table of the page, mistakes.
 #include "results/result_reader.hpp"
-#include "studies/friction/friction_study.hpp"
+#include "studies/friction/friction.hpp"
 #include "tests/program/program.hpp"
 #include "tests/rough_case.hpp"
 #include "theory/exact/westergaard.hpp"
@@ -148,9 +148,9 @@ coefficient = 0.3
   const double stiffness =
       std::numbers::pi * (200e9 / 0.91) /
       (2e-3 * -std::log(std::sin(std::numbers::pi * half)));
-  EXPECT_NEAR(rows[1][columns::stick_stiffness_x] / stiffness, 1.0, 0.05);
-  EXPECT_NEAR(rows[1][columns::stick_stiffness_y] /
-                  rows[1][columns::stick_stiffness_x],
+  EXPECT_NEAR(rows[1][columns::stick_stiffness.x] / stiffness, 1.0, 0.05);
+  EXPECT_NEAR(rows[1][columns::stick_stiffness.y] /
+                  rows[1][columns::stick_stiffness.x],
               0.7, 1e-9);
 }
 

@@ -503,7 +503,7 @@ TEST(ExactPunch, FindTheErrorOfTheMoment) {
     results::CurvePoint point;
     const double load = 2.0 * contact_modulus * a * approach;
     point.nominal_pressure = load / 1e-6;
-    point[columns::pressure_centre_x] = 1.05 * exact / load;
+    point[columns::pressure_centre.x] = 1.05 * exact / load;
     return stiffness_of(result_of({point}), punch)
         .quantities.at("moment_error");
   };

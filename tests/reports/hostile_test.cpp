@@ -3,8 +3,8 @@
 #include "base/special_numbers.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/report.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
-#include "studies/magnification/magnification_study.hpp"
+#include "studies/adhesion/adhesion.hpp"
+#include "studies/magnification/magnification.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

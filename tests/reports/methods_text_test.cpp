@@ -2,7 +2,7 @@
 // was computed, so that no key that changes the problem changes nothing in it.
 #include "input/reader/vocabulary.hpp"
 #include "reports/pages/methods_text.hpp"
-#include "studies/magnification/magnification_study.hpp"
+#include "studies/magnification/magnification.hpp"
 
 #include <gtest/gtest.h>
 

@@ -81,8 +81,8 @@ TEST_F(PageTables, HaveStiffnessAndWhatWasSkipped) {
       result.methods[1].realizations.front().points.front();
   point[columns::normal_stiffness] = 2e5;
   point[columns::tangential_stiffness] = 1.5e5;
-  point[columns::pressure_centre_x] = 3e-8;
-  point[columns::pressure_centre_y] = 1e-22;
+  point[columns::pressure_centre.x] = 3e-8;
+  point[columns::pressure_centre.y] = 1e-22;
   result.skipped = {{"fem: 16 <steps>", "in the cache"}};
   write(result, "no-such-gnuplot");
 
@@ -101,7 +101,7 @@ TEST_F(PageTables, AreAbsentWithoutACause) {
   results::Result result = synthetic::rough_result(rough, 1);
   for (results::MethodRecord& method : result.methods)
     for (results::CurvePoint& point : method.realizations.front().points)
-      point[columns::pressure_centre_x] = point[columns::pressure_centre_y] =
+      point[columns::pressure_centre.x] = point[columns::pressure_centre.y] =
           0.0;
   result.methods[1]
       .realizations.front()

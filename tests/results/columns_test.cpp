@@ -24,6 +24,24 @@ const CurveColumn visits{
     "test of columns",
     {.name = "visits", .unit = "1", .text = "a count", .is_integer = true}};
 
+const DirectedColumn slide{
+    "test of columns",
+    {.name = "slide", .unit = "m", .text = "how far it slides along x"}};
+
+TEST(Columns, OfBothDirectionsAreTwo) {
+  CurvePoint row;
+  row[slide.x] = 1.0;
+  row[slide.along(true)] = 2.0;
+
+  EXPECT_EQ(curve_column("slide_x").get(row), 1.0);
+  EXPECT_EQ(curve_column("slide_y").get(row), 2.0);
+  EXPECT_EQ(&slide.along(false), &slide.x);
+  EXPECT_NE(columns_markdown().find(
+                "how far it slides along x |\n"
+                "| `slide_y` [m] | test of columns | likewise along y |"),
+            std::string::npos);
+}
+
 TEST(Columns, HaveOneName) {
   EXPECT_THROW(CurveColumn("another", {.name = "softness", .unit = "1"}),
                std::logic_error);

@@ -65,8 +65,8 @@ inline CurvePoint sample_point(int step) {
   point[columns::memory] = 1e8 / (19 + step);
   point[columns::normal_stiffness] = 1e5 / (31 + step);
   point[columns::tangential_stiffness] = 1e5 / (37 + step);
-  point[columns::pressure_centre_x] = -1e-6 / (41 + step);
-  point[columns::pressure_centre_y] = 1e-6 / (43 + step);
+  point[columns::pressure_centre.x] = -1e-6 / (41 + step);
+  point[columns::pressure_centre.y] = 1e-6 / (43 + step);
   point[columns::von_mises] = 1e7 / (23 + step);
   point[columns::von_mises_depth] = 1e-6 / (29 + step);
   point[columns::plastic_work] = 1e-3 / (59 + step);
@@ -114,10 +114,10 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
                b[columns::normal_stiffness]);
   EXPECT_PRED2(is_same, a[columns::tangential_stiffness],
                b[columns::tangential_stiffness]);
-  EXPECT_PRED2(is_same, a[columns::pressure_centre_x],
-               b[columns::pressure_centre_x]);
-  EXPECT_PRED2(is_same, a[columns::pressure_centre_y],
-               b[columns::pressure_centre_y]);
+  EXPECT_PRED2(is_same, a[columns::pressure_centre.x],
+               b[columns::pressure_centre.x]);
+  EXPECT_PRED2(is_same, a[columns::pressure_centre.y],
+               b[columns::pressure_centre.y]);
   EXPECT_PRED2(is_same, a[columns::von_mises], b[columns::von_mises]);
   EXPECT_PRED2(is_same, a[columns::von_mises_depth],
                b[columns::von_mises_depth]);

@@ -5,9 +5,9 @@
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"
 #include "run/run_case.hpp"
-#include "studies/flow/flow_study.hpp"
+#include "studies/flow/flow.hpp"
 #include "studies/friction/partial_slip.hpp"
-#include "studies/spots/spots_study.hpp"
+#include "studies/spots/spots.hpp"
 #include "tests/folder.hpp"
 
 #include <fmt/format.h>
@@ -530,8 +530,8 @@ TEST_F(CombinedStudies, OfATheoryWithoutAGapSayThatItHasNoFlowFactor) {
   const Result result = run({"theory.gamma=0.4", "report.stress_inside=false",
                              "load.nominal_pressure=46 E* h'"});
   const CurvePoint& row = rows_of(result, "theory").front();
-  EXPECT_EQ(row[columns::flow_conductance_x], 0.0);
-  EXPECT_TRUE(std::isnan(row[columns::flow_factor_x]));
+  EXPECT_EQ(row[columns::flow_conductance.x], 0.0);
+  EXPECT_TRUE(std::isnan(row[columns::flow_factor.x]));
   EXPECT_NE(row.note.find("flow_factor_x is not determined: the mean gap is "
                           "too small"),
             std::string::npos)
@@ -593,14 +593,14 @@ TEST_F(CombinedStudies, OfATurnedMapAreTurned) {
     for (std::size_t i = 0; i < 3; ++i) {
       SCOPED_TRACE(method.name);
       CurvePoint back = rows_of(along_y, method.name)[i];
-      std::swap(back[columns::flow_factor_x], back[columns::flow_factor_y]);
-      std::swap(back[columns::flow_conductance_x],
-                back[columns::flow_conductance_y]);
-      std::swap(back[columns::critical_gap_x], back[columns::critical_gap_y]);
-      std::swap(back[columns::spots_percolate_x],
-                back[columns::spots_percolate_y]);
-      std::swap(back[columns::gap_percolates_x],
-                back[columns::gap_percolates_y]);
+      std::swap(back[columns::flow_factor.x], back[columns::flow_factor.y]);
+      std::swap(back[columns::flow_conductance.x],
+                back[columns::flow_conductance.y]);
+      std::swap(back[columns::critical_gap.x], back[columns::critical_gap.y]);
+      std::swap(back[columns::spots_percolate.x],
+                back[columns::spots_percolate.y]);
+      std::swap(back[columns::gap_percolates.x],
+                back[columns::gap_percolates.y]);
       expect_same(back, method.realizations.front().points[i], all_columns(),
                   1e-5);
     }

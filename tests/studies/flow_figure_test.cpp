@@ -3,7 +3,6 @@
 #include "reports/analysis/at_load.hpp"
 #include "reports/figures/figures.hpp"
 #include "studies/flow/flow.hpp"
-#include "studies/flow/flow_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +29,8 @@ results::Result leaking(const std::vector<Leaks>& steps) {
       results::CurvePoint row;
       row.step = static_cast<int>(s);
       row.nominal_pressure = 1e6 * static_cast<double>(s + 1);
-      row[columns::leak_rate_x] = steps[s][r].first;
-      row[columns::leak_rate_y] = steps[s][r].second;
+      row[columns::leak_rate.x] = steps[s][r].first;
+      row[columns::leak_rate.y] = steps[s][r].second;
       method.realizations[r].points.push_back(row);
     }
   result.methods.push_back(std::move(method));
@@ -42,7 +41,8 @@ Figure figure_of(const std::vector<Leaks>& steps) {
   const results::Result result = leaking(steps);
   cases::Case sealed;
   sealed.studies.ask(FlowStudy{});
-  return flow_pages().figures({&result, &sealed, {}}, 0, {}).at(0);
+  const ReportEntry entry{&result, &sealed, {}};
+  return flow_pages().figures({{&entry, 1}}).at(0);
 }
 
 /// The fourth column, by curve and load.
@@ -125,8 +125,8 @@ TEST(FlowAtLoad, HasNoValueIfARealisationIsSealed) {
   const double factors[2][2] = {{1e-2, 1e-4}, {0.0, 1e-4}};
   for (std::size_t s = 0; s < 2; ++s)
     for (std::size_t r = 0; r < 2; ++r)
-      curves[r].points[s][columns::flow_factor_x] =
-          curves[r].points[s][columns::flow_factor_y] = factors[s][r];
+      curves[r].points[s][columns::flow_factor.x] =
+          curves[r].points[s][columns::flow_factor.y] = factors[s][r];
   const std::string open = "log10_flow_factor@p=1e-3 E*";
   const std::string sealed = "log10_flow_factor@p=2e-3 E*";
   MethodSummary summary;

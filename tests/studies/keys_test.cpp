@@ -2,8 +2,8 @@
 // invalid values.
 #include "input/types/quantity_at_load.hpp"
 #include "input/types/reference.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
-#include "studies/magnification/magnification_study.hpp"
+#include "studies/adhesion/adhesion.hpp"
+#include "studies/magnification/magnification.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -241,7 +241,7 @@ TEST(QuantityAtMagnification, IsReadWithItsLoad) {
     EXPECT_EQ(reading.at_load->nominal_pressure.value, 1e7);
     EXPECT_EQ(reading.at_load->magnification, 12.5);
     ASSERT_NE(expectation_called(text), nullptr);
-    EXPECT_EQ(expectation_called(text)->study, cases::Study::magnification);
+    EXPECT_EQ(expectation_called(text)->study, "magnification");
   }
   EXPECT_FALSE(read_quantity_at_load("area_fraction@p=1 Pa")
                    .at_load->magnification.has_value());

@@ -1,9 +1,8 @@
 // The resistances of the contact are the inverse conductances, after these, and
 // are said on the page.
 #include "reports/pages/html_report.hpp"
-#include "studies/conductance/conductance_study.hpp"
+#include "studies/conductance/conductance.hpp"
 #include "studies/resistance/resistance.hpp"
-#include "studies/resistance/resistance_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,7 @@
 // of power laws, and the drawn figures.
 #include "reports/figures/figures.hpp"
 #include "studies/adhesion/adhesion.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
 #include "studies/magnification/magnification.hpp"
-#include "studies/magnification/magnification_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -198,23 +196,20 @@ TEST(StudyFigures, AreDrawnWhereTheTablesAre) {
   const results::Result result = studied_result();
   const results::Result bare;
   const cases::Case studied = studied_case();
+  const ReportEntry drawn{&result, &studied, {}}, empty{&bare, &studied, {}};
 
   std::vector<std::string> names;
-  for (const Figure& figure :
-       magnification_pages().figures({&result, &studied, {}}, 0, {}))
-    names.push_back(figure.name);
-  for (const Figure& figure :
-       adhesion_pages().figures({&result, &studied, {}}, 0, {}))
-    names.push_back(figure.name);
+  for (const StudyPages& pages : {magnification_pages(), adhesion_pages()}) {
+    for (const Figure& figure : pages.figures({{&drawn, 1}}))
+      names.push_back(figure.name);
+    EXPECT_TRUE(pages.figures({{&empty, 1}}).empty());
+  }
 
   EXPECT_EQ(names, (std::vector<std::string>{
                        "magnification-separation", "magnification-parts",
                        "magnification-opening", "separation-distributions-1",
                        "separation-distributions-2", "adhesion-branches",
                        "adhesion-equilibrium", "adhesion-height"}));
-  EXPECT_TRUE(
-      magnification_pages().figures({&bare, &studied, {}}, 0, {}).empty());
-  EXPECT_TRUE(adhesion_pages().figures({&bare, &studied, {}}, 0, {}).empty());
 }
 
 } // namespace asperity::studies::theory_studies_test

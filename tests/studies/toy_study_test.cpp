@@ -1,11 +1,12 @@
 // A study of one file: its settings, keys, column, answer and what it asks of
 // methods are known to the reader of cases, to the warnings about methods that
-// do not answer, to CSV files and to reports.
+// do not answer, to CSV files and to reports, and so is its number at a load.
 #include "input/input_error.hpp"
 #include "input/reader/bound_key.hpp"
 #include "input/reader/case_schema.hpp"
 #include "input/reader/documents.hpp"
 #include "input/reader/read_case.hpp"
+#include "reports/analysis/at_load.hpp"
 #include "reports/pages/methods_text.hpp"
 #include "results/csv.hpp"
 #include "results/types/curve_columns.hpp"
@@ -42,9 +43,18 @@ const cases::StudyKeys& counting_keys() {
 
 const reports::StudyPages& counting_pages() {
   static const reports::StudyPages pages{
-      .name = "counting", .methods_text = [](const cases::Case& asked) {
-        return std::string(asks<Counting>(asked) ? " Nodes were counted." : "");
-      }};
+      .name = "counting",
+      .methods_text =
+          [](const cases::Case& asked) {
+            return std::string(asks<Counting>(asked) ? " Nodes were counted."
+                                                     : "");
+          },
+      .at_load = {{{.name = "half_of_counted",
+                    .description = "Half of the count [1].",
+                    .of = cases::QuantityOf::load},
+                   [](const reports::StepAtLoad& step) {
+                     return 0.5 * step.row[counted];
+                   }}}};
   return pages;
 }
 
@@ -109,6 +119,28 @@ TEST(ToyStudy, EvaluatesAStep) {
   results::Result result;
   result.methods = {{"halfspace", "halfspace", "", {{{row}, {}, 0.0}}}};
   EXPECT_NE(results::curves_csv(result).find("counted [1]"), std::string::npos);
+}
+
+TEST(ToyStudy, HasANumberAtALoad) {
+  const std::string name = "half_of_counted@p=1 MPa";
+  const cases::Case asked =
+      read("\"" + name + "\" = { below = 9 }\n[counting]\n");
+  ASSERT_EQ(asked.expectations.back().quantity, name);
+  EXPECT_EQ(asked.expectations.back().methods,
+            (std::vector<std::string>{"halfspace", "fem"}));
+  results::Result result;
+  result.contact_modulus = 1e9;
+  results::CurvePoint row;
+  row.nominal_pressure = 1e6;
+  row[counted] = 6.0;
+  result.methods = {
+      {"halfspace", "halfspace", "", {results::Curve{{row}, {}, 0.0}}}};
+  reports::MethodSummary summary;
+
+  reports::add_quantities_at_load(result, asked, result.methods.front(),
+                                  nullptr, {&name, 1}, summary);
+
+  EXPECT_EQ(summary.quantities.at(name).value, 3.0);
 }
 
 } // namespace asperity::studies::toy_study_test
