@@ -16,24 +16,6 @@
 
 namespace asperity::reports {
 
-/// Returns the page of a mustache template. Every template may name the parts
-/// that all pages share: {{> page_head}}, which ends with the style sheet and
-/// shows the `page_title`, {{> page_facts}}, {{> figure}} and {{> page_end}}.
-///
-/// A section of a null, an empty text or a number that is not finite is left
-/// out; an array `rows` also sets `has_rows`. A number has its format behind a
-/// bar, and without one all its digits:
-///
-///     {{gap|4g}}          as by {:.4g} of fmt; "–" if it is null
-///     {{gap|4g e9 nm}}    times 1e9, with a unit
-///     {{gap|4m}}          in metres, with a prefix: "5.98 nm"; also N and Pa
-///     {{gap|unit}}        the same in the unit that its object has as `unit`
-///     {{gap|key}}         all digits; what is missing is sorted last
-///     {{value|±}}         with the half_width_95 of its object: "0.41 ± 0.02";
-///                         |±4g e9: in this format
-std::string rendered_page(std::string_view page_template,
-                          nlohmann::ordered_json page);
-
 /// Returns the members of an object as an array: those that are objects with
 /// their names as `key`, others as {"key", "value"}.
 nlohmann::ordered_json items_of(const nlohmann::ordered_json& object);
@@ -68,18 +50,27 @@ void set_groups(nlohmann::ordered_json& page,
 /// Lists the sections of the page that are always there or that matter most.
 nlohmann::ordered_json contents_of(const nlohmann::ordered_json& page);
 
-/// Adds to the page what makes its figures explorable: the scripts, and the
-/// policy that permits no others and no network access.
+/// Returns the page of a mustache template with the scripts of its figures, or
+/// for print: unfolded and without them. Every template may name the parts
+/// that all pages share: {{> page_head}}, which ends with the style sheet and
+/// shows the `page_title`, {{> page_facts}}, {{> figure}} and {{> page_end}}.
+///
+/// A section of a null, an empty text or a number that is not finite is left
+/// out; an array `rows` also sets `has_rows`. A number has its format behind a
+/// bar, and without one all its digits:
+///
+///     {{gap|4g}}          as by {:.4g} of fmt; "–" if it is null
+///     {{gap|4g e9 nm}}    times 1e9, with a unit
+///     {{gap|4m}}          in metres, with a prefix: "5.98 nm"; also N and Pa
+///     {{gap|unit}}        the same in the unit that its object has as `unit`
+///     {{gap|key}}         all digits; what is missing is sorted last
+///     {{value|±}}         with the half_width_95 of its object: "0.41 ± 0.02";
+///                         |±4g e9: in this format
 /// @param own_script  a further script of this page, or empty
-void set_scripts(nlohmann::ordered_json& page,
-                 std::span<const DrawnGroup> groups, bool is_for_print,
-                 const std::string& own_script = {});
-
-/// Returns a page with the scripts of its figures, or for print: unfolded and
-/// without them.
 std::string page_text(std::string_view page_template,
                       nlohmann::ordered_json page,
-                      std::span<const DrawnGroup> groups, bool is_for_print);
+                      std::span<const DrawnGroup> groups, bool is_for_print,
+                      const std::string& own_script = {});
 
 /// Writes a page as folder/report.html, and on request prints report.pdf.
 /// @param problems  gets the reason why that was not printed

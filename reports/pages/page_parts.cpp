@@ -1,8 +1,5 @@
-#include "base/atomic_file.hpp"
 #include "base/json.hpp"
-#include "reports/explore/explore_data.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/pages/pdf_page.hpp"
 
 #include <fmt/format.h>
 
@@ -79,16 +76,6 @@ std::vector<DrawnFigure> take_leading(std::vector<DrawnGroup>& groups) {
   return leading;
 }
 
-/// Opens all folded parts of a page.
-std::string unfolded(std::string html) {
-  const std::string folded = "<details id=";
-  const std::string open = "<details open=\"open\" id=";
-  for (std::size_t at = html.find(folded); at != std::string::npos;
-       at = html.find(folded, at + open.size()))
-    html.replace(at, folded.size(), open);
-  return html;
-}
-
 } // namespace
 
 void set_groups(Json& page, std::span<const DrawnGroup> groups) {
@@ -141,56 +128,6 @@ Json group_data(std::span<const DrawnGroup> groups) {
                     {"figures", std::move(figures)}});
   }
   return list;
-}
-
-void set_scripts(Json& page, std::span<const DrawnGroup> groups,
-                 bool is_for_print, const std::string& own_script) {
-  Json scripts = Json::array();
-  std::string permissions;
-  const auto add = [&](const std::string& script) {
-    scripts.push_back(inline_script(script));
-    permissions += " " + script_permission(inline_script(script));
-  };
-  if (!own_script.empty())
-    add(own_script);
-  const bool has_any = std::ranges::any_of(groups, [](const DrawnGroup& group) {
-    return std::ranges::any_of(group.figures, [](const DrawnFigure& figure) {
-      return !figure.explore.empty();
-    });
-  });
-  const std::string library = chart_library();
-  if (has_any && !is_for_print) {
-    if (!library.empty())
-      add(library);
-    add(explore_script());
-  }
-  page["without_library"] = has_any && !is_for_print && library.empty();
-  page["scripts"] = std::move(scripts);
-  // The style of elements is set by the page itself and by Chart.js.
-  page["policy"] =
-      "default-src 'none'; img-src data:; style-src 'unsafe-inline'" +
-      (permissions.empty() ? "" : "; script-src" + permissions);
-}
-
-std::string page_text(std::string_view page_template, Json page,
-                      std::span<const DrawnGroup> groups, bool is_for_print) {
-  set_scripts(page, groups, is_for_print);
-  std::string text = rendered_page(page_template, std::move(page));
-  return is_for_print ? unfolded(std::move(text)) : text;
-}
-
-void write_page(std::string_view page_template, const Json& page,
-                std::span<const DrawnGroup> groups,
-                const std::filesystem::path& folder, bool has_pdf,
-                std::vector<std::string>& problems) {
-  write_file_atomically(folder / "report.html",
-                        page_text(page_template, page, groups, false));
-  if (!has_pdf)
-    return;
-  const std::string problem =
-      print_report(page_text(page_template, page, groups, true), folder);
-  if (!problem.empty())
-    problems.push_back(problem);
 }
 
 } // namespace asperity::reports

@@ -1,11 +1,15 @@
+#include "base/atomic_file.hpp"
 #include "base/json.hpp"
 #include "base/shown_number.hpp"
+#include "reports/explore/explore_data.hpp"
 #include "reports/numbers/number_text.hpp"
 #include "reports/pages/page_data.hpp"
+#include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <kainjow/mustache.hpp>
 #include <map>
@@ -126,8 +130,6 @@ Data data_of(Json& value, const Formats& formats) {
   return Data(text_of_json(value, -1));
 }
 
-} // namespace
-
 std::string rendered_page(std::string_view page_template, Json page) {
   const std::pair<const char*, std::string_view> parts[] = {
       {"page_head", page_head},
@@ -143,6 +145,71 @@ std::string rendered_page(std::string_view page_template, Json page) {
                        [text = text] { return std::string(text); }});
   kainjow::mustache::mustache view{std::string(page_template)};
   return view.render(data);
+}
+
+/// Opens all folded parts of a page.
+std::string unfolded(std::string html) {
+  const std::string folded = "<details id=";
+  const std::string open = "<details open=\"open\" id=";
+  for (std::size_t at = html.find(folded); at != std::string::npos;
+       at = html.find(folded, at + open.size()))
+    html.replace(at, folded.size(), open);
+  return html;
+}
+
+/// Adds to the page what makes its figures explorable: the scripts, and the
+/// policy that permits no others and no network access.
+void set_scripts(Json& page, std::span<const DrawnGroup> groups,
+                 bool is_for_print, const std::string& own_script) {
+  Json scripts = Json::array();
+  std::string permissions;
+  const auto add = [&](const std::string& script) {
+    scripts.push_back(inline_script(script));
+    permissions += " " + script_permission(inline_script(script));
+  };
+  if (!own_script.empty())
+    add(own_script);
+  const bool has_any = std::ranges::any_of(groups, [](const DrawnGroup& group) {
+    return std::ranges::any_of(group.figures, [](const DrawnFigure& figure) {
+      return !figure.explore.empty();
+    });
+  });
+  const std::string library = chart_library();
+  if (has_any && !is_for_print) {
+    if (!library.empty())
+      add(library);
+    add(explore_script());
+  }
+  page["without_library"] = has_any && !is_for_print && library.empty();
+  page["scripts"] = std::move(scripts);
+  // The style of elements is set by the page itself and by Chart.js.
+  page["policy"] =
+      "default-src 'none'; img-src data:; style-src 'unsafe-inline'" +
+      (permissions.empty() ? "" : "; script-src" + permissions);
+}
+
+} // namespace
+
+std::string page_text(std::string_view page_template, Json page,
+                      std::span<const DrawnGroup> groups, bool is_for_print,
+                      const std::string& own_script) {
+  set_scripts(page, groups, is_for_print, own_script);
+  std::string text = rendered_page(page_template, std::move(page));
+  return is_for_print ? unfolded(std::move(text)) : text;
+}
+
+void write_page(std::string_view page_template, const Json& page,
+                std::span<const DrawnGroup> groups,
+                const std::filesystem::path& folder, bool has_pdf,
+                std::vector<std::string>& problems) {
+  write_file_atomically(folder / "report.html",
+                        page_text(page_template, page, groups, false));
+  if (!has_pdf)
+    return;
+  const std::string problem =
+      print_report(page_text(page_template, page, groups, true), folder);
+  if (!problem.empty())
+    problems.push_back(problem);
 }
 
 Json items_of(const Json& object) {

@@ -167,11 +167,6 @@ TEST(ExactQuantities, LeaveOutFailedRows) {
   EXPECT_NEAR(summary.quantities.at("mean_gap_error").value, 0.0, 1e-13);
 }
 
-// The 2-D wave has an exact solution at every load: near Hertz's limit, which
-// is too small by some relative 0.75 P^(2/3), near the limit of full contact,
-// whose open area is too small by up to a relative 0.5 (1 - P), and between the
-// two where neither limit applies. Tolerance: these fractions, and a tenth of
-// them for "some".
 // Of one contact on a half-space, Hertz' radius is (3 F R/(4 E*))^(1/3), here
 // 0.49 and 0.51 of the length: the second reaches the border. In an array the
 // solution is that with 1/R' = 1/R + T F/(2 pi E* L^3), up to 0.3 lengths.
@@ -194,6 +189,11 @@ TEST(ExactPoint, OfASphereNeedsAContactInsideTheSquare) {
   EXPECT_TRUE(std::isnan(exact(0.32, false)));
 }
 
+// The 2-D wave has an exact solution at every load: near Hertz's limit, which
+// is too small by some relative 0.75 P^(2/3), near the limit of full contact,
+// whose open area is too small by up to a relative 0.5 (1 - P), and between the
+// two where neither limit applies. Tolerance: these fractions, and a tenth of
+// them for "some".
 TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
   mechanics::SurfaceSpec surface = wave_case().surface;
   surface.kind = mechanics::SurfaceKind::wave_2d;

@@ -235,8 +235,8 @@ std::string html_of(Json page,
                     const std::vector<reports::DrawnFigure>& figures) {
   const reports::DrawnGroup group{"", figures};
   page["page_title"] = page["title"];
-  reports::set_scripts(page, {&group, 1}, false, std::string(board_script));
-  return reports::rendered_page(board_template, std::move(page));
+  return reports::page_text(board_template, std::move(page), {&group, 1}, false,
+                            std::string(board_script));
 }
 
 std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
