@@ -83,38 +83,64 @@ inline std::string dom_in_chromium(const fs::path& page,
   return text_of(dom);
 }
 
-class Browser : public ReportFolder {
+/// What the script `collect` returns in a copy of the page, which may be none
+/// of ours; "no answer" if there is none.
+inline nlohmann::json found_in_page(const fs::path& report,
+                                    const std::string& collect) {
+  const fs::path folder = report.parent_path();
+  std::string page = without_policy(text_of(report));
+  page.insert(page.rfind("</body>"), probe_script(collect));
+  std::ofstream(folder / "probe.html") << page;
+  const std::vector<std::string> found = all_between(
+      dom_in_chromium(folder / "probe.html", folder), "<output>", "</output>");
+  if (found.empty())
+    return "no answer";
+  return nlohmann::json::parse(found.front(), nullptr, false);
+}
+
+/// The pictures of a report.
+inline std::ptrdiff_t n_pictures(const fs::path& report) {
+  const fs::directory_iterator figures(report.parent_path() / "figures");
+  return std::count_if(begin(figures), end(figures), [](const auto& file) {
+    return file.path().extension() == ".svg";
+  });
+}
+
+/// A report that is written once for all tests of a suite.
+class Browser : public ::testing::Test {
 protected:
+  static void SetUpTestSuite() {
+    if (!has_chromium())
+      return;
+    rough = synthetic::contact_case();
+    result = synthetic::rough_result(rough, 2);
+    write(folder);
+  }
+
+  static void TearDownTestSuite() {
+    std::error_code ignored; // of a browser that is still removing its files
+    fs::remove_all(folder, ignored);
+    result = {};
+  }
+
   void SetUp() override {
     if (!has_chromium())
       GTEST_SKIP() << "skipped: needs chromium";
-    write(result);
   }
 
-  std::string dom_of(const fs::path& page) const {
-    return dom_in_chromium(page, folder);
+  static std::vector<std::string> write(const fs::path& to,
+                                        const std::string& gnuplot = "gnuplot",
+                                        const ReportExtras& extras = {}) {
+    const ReportEntry entry = entry_of(result, rough);
+    return write_report(std::span(&entry, 1), to, gnuplot, extras);
   }
 
-  /// The result of the script `collect` in the page.
-  nlohmann::json found_in_page(const std::string& collect) const {
-    std::string page = without_policy(text_of(folder / "report.html"));
-    page.insert(page.rfind("</body>"), probe_script(collect));
-    std::ofstream(folder / "probe.html") << page;
-    const std::vector<std::string> found =
-        all_between(dom_of(folder / "probe.html"), "<output>", "</output>");
-    if (found.empty())
-      return "no answer";
-    return nlohmann::json::parse(found.front(), nullptr, false);
-  }
-
-  results::Result result = synthetic::rough_result(rough, 2);
-
-  std::ptrdiff_t n_pictures() const {
-    const fs::directory_iterator figures(folder / "figures");
-    return std::count_if(begin(figures), end(figures), [](const auto& file) {
-      return file.path().extension() == ".svg";
-    });
-  }
+  inline static cases::Case rough;
+  inline static results::Result result;
+  inline static const fs::path folder =
+      fs::temp_directory_path() /
+      ("asperity-browser-" + std::to_string(::getpid()));
+  inline static const fs::path report = folder / "report.html";
 };
 
 } // namespace asperity::reports
