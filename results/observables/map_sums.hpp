@@ -26,9 +26,9 @@ Sums sum_over(const MapView& map, int threads, const DoNodes& do_nodes) {
           return do_nodes(begin, all.subspan(begin, end - begin));
         });
   }
-  static_assert(MapView::values_at_a_time % chunk_nodes == 0);
+  static_assert(values_at_a_time % chunk_nodes == 0);
   Sums total{};
-  each_piece(std::array{map}, MapView::values_at_a_time,
+  each_piece(std::array{map}, values_at_a_time,
              [&](std::size_t first, const auto& values) {
                const std::span<const double> piece = values[0];
                add_chunks(total, piece.size(), threads,

@@ -21,6 +21,9 @@ enum class MapsInFile { none, large };
 /// Nodes from which on a map is large.
 inline constexpr std::size_t large_map = std::size_t{1} << 20;
 
+/// Values of a stored map that are in memory at a time, a chunk of the file.
+inline constexpr std::size_t values_at_a_time = std::size_t{1} << 22;
+
 /// A map that was left in a file.
 struct StoredMap {
   std::size_t rows = 0;
@@ -28,6 +31,7 @@ struct StoredMap {
   /// Reads `count` rows from the row `first` on, x fastest.
   /// @throws input::InputError  the file has no such map any more
   std::function<std::vector<double>(std::size_t first, std::size_t count)> read;
+  std::size_t at_a_time = values_at_a_time; ///< values in memory, >= 1
 };
 
 /// The values of a map, x fastest. The map must outlive the view.
@@ -55,7 +59,7 @@ public:
   std::size_t piece() const {
     if (stored_ == nullptr)
       return size();
-    const std::size_t pairs = values_at_a_time / (2 * stored_->columns);
+    const std::size_t pairs = stored_->at_a_time / (2 * stored_->columns);
     return 2 * stored_->columns * std::max(std::size_t{1}, pairs);
   }
 
@@ -78,9 +82,6 @@ public:
       return stored_->read(0, stored_->rows);
     return {values_.begin(), values_.end()};
   }
-
-  /// Values of a stored map that are in memory at a time, a chunk of the file.
-  static constexpr std::size_t values_at_a_time = std::size_t{1} << 22;
 
 private:
   std::span<const double> values_;

@@ -3,75 +3,73 @@
 #include "reports/analysis/summary.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/gnuplot_script.hpp"
-#include "results/result_reader.hpp"
-#include "results/result_writer.hpp"
 #include "tests/reports/drawn.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
-#include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include "synthetic.hpp"
 
 namespace asperity::reports::stored_maps_test {
 
-namespace fs = std::filesystem;
+/// Single precision, as fields have in a file.
+void round_to_single(std::vector<double>& values) {
+  for (double& value : values)
+    value = static_cast<float>(value);
+}
 
-/// A result whose maps have two pieces, read in both ways.
+/// The map in pieces of 8 rows, as if it were in a file.
+results::StoredMap stored(std::vector<double>& values, const Grid& grid) {
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  return {static_cast<std::size_t>(grid.points_y), width,
+          [all = std::exchange(values, {}), width](std::size_t first,
+                                                   std::size_t count) {
+            const auto begin =
+                all.begin() + static_cast<std::ptrdiff_t>(first * width);
+            return std::vector<double>(
+                begin, begin + static_cast<std::ptrdiff_t>(count * width));
+          },
+          8 * width};
+}
+
+/// A result whose maps are in memory, and one whose maps have many pieces.
 class StoredMaps : public ::testing::Test {
 protected:
-  static void SetUpTestSuite() {
-    case_.surface.points = 2080;
-    const results::Result made = synthetic::rough_result(case_, 1);
-    results::ResultWriter writer(folder_, {made.case_name,
-                                           made.case_title,
-                                           made.case_text,
-                                           made.case_hash,
-                                           made.contact_modulus,
-                                           "",
-                                           {}});
-    results::SurfaceRecord surface = made.surfaces.at(0);
+  StoredMaps() {
+    case_.surface.points = 64;
+    in_memory_ = synthetic::rough_result(case_, 1);
+    results::SurfaceRecord& surface = in_memory_.surfaces.at(0);
     surface.rms_curvature = surface.skewness = surface.kurtosis =
         results::not_given; // not stated: a synthetic result has those of a
                             // Gaussian
-    writer.record_surface(0, surface);
-    for (const results::MethodRecord& method : made.methods) {
-      writer.begin_method(method.name, method.kind, method.description);
-      const results::Curve& curve = method.realizations.at(0);
-      for (const results::CurvePoint& point : curve.points) {
-        const auto maps =
-            std::ranges::find(curve.fields, point.step, &results::Fields::step);
-        if (maps == curve.fields.end())
-          writer.append_step(method.name, 0, point);
-        else
-          writer.append_step_with_fields(method.name, 0, point, maps->grid,
-                                         *maps);
-      }
+    for (results::Fields& fields : fields_of(in_memory_)) {
+      round_to_single(fields.pressure);
+      round_to_single(fields.gap);
     }
-    writer.finish("complete");
-    in_memory_ = results::read_result(folder_);
-    in_file_ = results::read_result(folder_, results::MapsInFile::large);
+    in_file_ = in_memory_;
+    results::SurfaceRecord& left = in_file_.surfaces.at(0);
+    left.stored_heights = stored(left.heights, left.grid);
+    for (results::Fields& fields : fields_of(in_file_)) {
+      fields.stored_pressure = stored(fields.pressure, fields.grid);
+      fields.stored_gap = stored(fields.gap, fields.grid);
+    }
   }
 
-  static void TearDownTestSuite() {
-    fs::remove_all(folder_);
-    in_memory_ = in_file_ = {};
+  static std::vector<results::Fields>& fields_of(results::Result& result) {
+    return result.methods.at(1).realizations.at(0).fields;
   }
 
-  static ReportEntry entry_of(const results::Result& result) {
+  ReportEntry entry_of(const results::Result& result) const {
     return {&result, &case_, summarize(result, case_)};
   }
 
-  inline static const fs::path folder_ =
-      fs::path(::testing::TempDir()) /
-      ("asperity_stored_maps_" + std::to_string(::getpid()));
-  inline static cases::Case case_ = synthetic::contact_case();
-  inline static results::Result in_memory_, in_file_;
+  cases::Case case_ = synthetic::contact_case();
+  results::Result in_memory_, in_file_;
 };
 
 void expect_same(const Figure& left, const Figure& held) {
@@ -89,8 +87,7 @@ void expect_same(const Figure& left, const Figure& held) {
 }
 
 TEST_F(StoredMaps, GiveTheFiguresOfMapsInMemory) {
-  const results::Fields& left =
-      in_file_.methods.at(1).realizations.at(0).fields.at(0);
+  const results::Fields& left = fields_of(in_file_).at(0);
   ASSERT_TRUE(left.pressure_map().is_stored());
   ASSERT_GT(left.pressure_map().size(), left.pressure_map().piece());
   const ReportEntry held = entry_of(in_memory_);

@@ -92,7 +92,7 @@ TEST_F(LargeMaps, ArriveInTheirOrderInPiecesOfWholePairsOfRows) {
         ASSERT_EQ(first, next);
         ASSERT_EQ(first % (2 * 3000), 0U);
         ASSERT_EQ(values[0].size(), values[1].size());
-        ASSERT_LE(values[0].size(), MapView::values_at_a_time);
+        ASSERT_LE(values[0].size(), values_at_a_time);
         EXPECT_TRUE(std::ranges::equal(
             values[0], std::span(held.gap).subspan(first, values[0].size())));
         EXPECT_EQ(values[1].data(), held.pressure.data() + first);
