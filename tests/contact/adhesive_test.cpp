@@ -50,7 +50,7 @@ ContactInterface law_on(const Grid& grid, ContactLaw law, double work,
 /// conformity costs the energy U per area.
 class AdhesiveRoughness : public testing::TestWithParam<ContactLaw> {
 protected:
-  static constexpr Grid grid{64, 64, 1.0, 1.0};
+  static constexpr Grid grid{32, 32, 1.0, 1.0};
 
   bool has_wall() const { return mechanics::has_wall(GetParam()); }
 
