@@ -12,7 +12,7 @@ namespace asperity::program::cache_program_test {
 // some fall within a step.
 TEST_F(CachedProgram, AKilledRunReusesItsSteps) {
   const std::string long_run = "run small.toml --set surface.points=256 "
-                               "--methods halfspace --threads 1 ";
+                               "--methods halfspace --no-report --threads 1 ";
   ASSERT_EQ(run(long_run + "--no-cache --out whole").exit_code, 0);
   for (const char* seconds : {"0.3", "0.5", "0.8"})
     run(long_run + "--out killed", std::string("timeout -s KILL ") + seconds);
@@ -26,12 +26,13 @@ TEST_F(CachedProgram, AKilledRunReusesItsSteps) {
 
 TEST_F(CachedProgram, TwoRunsAtOnceAgree) {
   computed("--no-cache --out whole");
-  const std::string other = "cd " + folder.string() +
-                            " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM
-                            " run small.toml --out two > two.txt 2>&1";
+  const std::string other =
+      "cd " + folder.string() +
+      " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM
+      " run small.toml --no-report --out two > two.txt 2>&1";
   auto two = std::async(std::launch::async,
                         [&] { return std::system(other.c_str()); });
-  const Ended one = run("run small.toml --out one");
+  const Ended one = run("run small.toml --no-report --out one");
 
   ASSERT_EQ(one.exit_code, 0) << one.output;
   ASSERT_EQ(two.get(), 0) << text_of(folder / "two.txt");

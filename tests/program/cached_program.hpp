@@ -42,7 +42,7 @@ protected:
   }
 
   int computed(const std::string& arguments) const {
-    const Ended done = run("run small.toml " + arguments);
+    const Ended done = run("run small.toml --no-report " + arguments);
     EXPECT_EQ(done.exit_code, 0) << done.output;
     return computed(done);
   }

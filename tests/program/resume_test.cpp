@@ -24,7 +24,7 @@ radius = "5 length"
 youngs_modulus = "2 GPa"
 poisson_ratio = 0.3
 [load]
-nominal_pressure = { from = "1e-3 E*", to = "4e-3 E*", steps = 12, spacing = "linear" }
+nominal_pressure = { from = "1e-3 E*", to = "4e-3 E*", steps = 6, spacing = "linear" }
 [fem]
 element = "Q2"
 contact = "hard"
@@ -102,8 +102,8 @@ protected:
 };
 
 TEST_F(Resume, KillsAtAnyMomentChangeNoBit) {
-  expect_same_bits_after(14, "theory,halfspace");
-  expect_same_bits_after(3, "fem"); // loads deal.II, half a second each time
+  expect_same_bits_after(4, "theory,halfspace");
+  expect_same_bits_after(1, "fem"); // loads deal.II, half a second each time
 }
 
 // A block that flows depends on the steps before. A run of it that is killed
