@@ -61,6 +61,9 @@ protected:
 // The theory once, half-space and fem on two realisations, four loads each.
 constexpr std::size_t all_rows = 4 + 2 * 4 + 2 * 4;
 
+/// A run whose output has every kind of file.
+const char* const reported = "run small.toml --methods theory --out one";
+
 // Of two runs that begin at once, with other heights, one refuses or follows
 // the other; the file always belongs to one run. The second one waits half a
 // second for the folder, and on a busy machine they may begin that far apart.
@@ -68,7 +71,7 @@ TEST_F(FolderUse, TwoRunsAtOnceLeaveOneResult) {
   int n_refused = 0;
   const std::string one = "run small.toml --set surface.points=256 --no-cache "
                           "--no-report --out one";
-  for (int trial = 0; trial < 8; ++trial) {
+  for (int trial = 0; trial < 3; ++trial) {
     auto other = std::async(std::launch::async, [&] {
       return run_beside(one + " --set surface.seed=4", "other.txt");
     });
@@ -94,16 +97,20 @@ TEST_F(FolderUse, TwoRunsAtOnceLeaveOneResult) {
 }
 
 TEST_F(FolderUse, EveryCommandThatWritesIsRefused) {
-  ASSERT_EQ(run("run small.toml --out out/small").exit_code, 0);
+  ASSERT_EQ(run("run small.toml --methods theory --no-report --out out/small")
+                .exit_code,
+            0);
   fs::create_directories(folder / "out/small/bench");
   auto holder = std::async(std::launch::async, [&] {
     return std::system(("cd " + folder.string() +
                         " && flock out/small/.lock flock "
                         "out/small/bench/.lock sh -c "
-                        "'while [ ! -e done ]; do sleep 0.1; done'")
+                        "'touch held; while [ ! -e done ]; do sleep 0.1; "
+                        "done'")
                            .c_str());
   });
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  while (!fs::exists(folder / "held"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   for (const char* command :
        {"run small.toml", "run small.toml --resume", "check small.toml",
         "report out/small", "bench small.toml --quick"}) {
@@ -115,18 +122,18 @@ TEST_F(FolderUse, EveryCommandThatWritesIsRefused) {
   EXPECT_EQ(run("report out/small --out elsewhere").exit_code, 0);
   std::ofstream(folder / "done") << "the holder ends\n";
   holder.get();
-  EXPECT_EQ(rows("out/small"), all_rows);
+  EXPECT_EQ(rows("out/small"), 4U);
 }
 
 TEST_F(FolderUse, ANewRunLeavesNothingOfTheLast) {
-  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  ASSERT_EQ(run("run small.toml --methods fem --out one").exit_code, 0);
   fs::create_directories(folder / "one/fem-0");
   std::ofstream(folder / "one/fem-0/block.vtu") << "of the last run";
   std::ofstream(folder / "one/notes.txt") << "the user's";
   std::ofstream(folder / "one/figures/mine.png") << "the user's";
 
   ASSERT_EQ(
-      run("run small.toml --no-report --methods theory --out one").exit_code,
+      run("run small.toml --no-report --methods halfspace --out one").exit_code,
       0);
 
   std::set<std::string> left;
@@ -163,33 +170,30 @@ protected:
 };
 
 TEST_F(RefusedRun, LeavesTheOutputOfTheLastOne) {
-  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  ASSERT_EQ(run(reported).exit_code, 0);
   fs::create_directories(folder / "one/fem-0");
   std::ofstream(folder / "one/fem-0/block.vtu") << "of the last run";
   const auto before = files();
 
-  for (const char* more : {" --methods fem", "", " --no-report"}) {
-    const Ended refused = run(refused_late + more);
+  const Ended refused = run(refused_late);
 
-    EXPECT_EQ(refused.exit_code, 2) << refused.output;
-    EXPECT_NE(refused.output.find("factor of the modulus"), std::string::npos)
-        << refused.output;
-    auto after = files();
-    std::erase_if(after, [](const auto& file) { // steps of the theory
-      return file.first.starts_with(hidden);
-    });
-    EXPECT_EQ(after, before) << more;
-  }
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_NE(refused.output.find("factor of the modulus"), std::string::npos)
+      << refused.output;
+  auto after = files();
+  std::erase_if(after, [](const auto& file) { // steps of the theory
+    return file.first.starts_with(hidden);
+  });
+  EXPECT_EQ(after, before);
 }
 
 // So does one that a full disk, here a limit on the size of a file, ends while
 // it writes its report.
 TEST_F(RefusedRun, LikeAFullDiskTouchesNoFileOfTheLastOne) {
-  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  ASSERT_EQ(run(reported).exit_code, 0);
   auto before = files();
 
-  const Ended full = run("run small.toml --methods theory --out one",
-                         "bash -c 'ulimit -f 32; exec \"$@\"' -");
+  const Ended full = run(reported, "bash -c 'ulimit -f 32; exec \"$@\"' -");
 
   EXPECT_EQ(full.exit_code, 4);
   EXPECT_NE(full.output.find(std::string(hidden)), std::string::npos)
@@ -201,10 +205,11 @@ TEST_F(RefusedRun, LikeAFullDiskTouchesNoFileOfTheLastOne) {
 // A killed run has touched nothing of the last one, and replaces it when it is
 // resumed.
 TEST_F(RefusedRun, LikeAKilledOneTouchesNoFileOfTheLastOne) {
-  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  ASSERT_EQ(run(reported).exit_code, 0);
   const auto before = files();
   const std::string large =
-      "run small.toml --set surface.points=128 --no-cache --out one ";
+      "run small.toml --set surface.points=128 --no-cache --no-report "
+      "--out one ";
   ASSERT_EQ(run(large, "timeout -s KILL 0.4").exit_code, 137);
   for (const auto& [path, text] : before)
     EXPECT_TRUE(text_of(folder / path) == text) << path;
@@ -219,15 +224,13 @@ TEST_F(RefusedRun, LikeAKilledOneTouchesNoFileOfTheLastOne) {
 // What a kill has left while a complete output replaced the last one follows
 // with the next command.
 TEST_F(RefusedRun, LikeAKillWhileItReplacesLosesNothing) {
-  ASSERT_EQ(run("run small.toml --methods theory --out one").exit_code, 0);
-  ASSERT_EQ(run("run small.toml --methods halfspace --out two").exit_code, 0);
+  const std::string run_small = "run small.toml --no-report --methods ";
+  ASSERT_EQ(run(run_small + "theory --out one").exit_code, 0);
+  ASSERT_EQ(run(run_small + "halfspace --out two").exit_code, 0);
   const Result newer = result("two");
   fs::rename(folder / "two", folder / hidden);
   fs::remove(folder / hidden / ".lock");
-  ASSERT_EQ(run("run small.toml --methods halfspace --resume --no-report "
-                "--out one")
-                .exit_code,
-            0);
+  ASSERT_EQ(run(run_small + "halfspace --resume --out one").exit_code, 0);
   tests::expect_same_bits(newer, result("one"));
 
   fs::create_directories(folder / hidden / "fem-0");
@@ -264,12 +267,13 @@ TEST_F(FolderUse, ResumeRefusesAChangedMap) {
                                             "edges = \"periodic\"\n");
   write("map.toml", map_case);
   write_map(0.02);
-  const Ended first = run("run map.toml --methods halfspace --out one");
+  const Ended first =
+      run("run map.toml --methods halfspace --no-report --out one");
   ASSERT_EQ(first.exit_code, 0) << first.output;
   const Result before = result("one");
 
   write_map(0.03);
-  const Ended refused = run("run map.toml --resume --out one");
+  const Ended refused = run("run map.toml --resume --no-report --out one");
 
   EXPECT_EQ(refused.exit_code, 2) << refused.output;
   EXPECT_NE(
@@ -279,7 +283,7 @@ TEST_F(FolderUse, ResumeRefusesAChangedMap) {
       << refused.output;
   tests::expect_same_bits(before, result("one"));
   write_map(0.02);
-  EXPECT_EQ(run("run map.toml --resume --out one").exit_code, 0);
+  EXPECT_EQ(run("run map.toml --resume --no-report --out one").exit_code, 0);
 }
 
 /// A shell that limits the size of files to this number of KiB, as a full disk
@@ -294,9 +298,7 @@ TEST_F(FolderUse, AFullDiskIsAnErrorAndLosesNothing) {
   ASSERT_EQ(run(run_it).exit_code, 0);
   const Result whole = result("one");
 
-  Ended full = run(run_it + " --methods fem", with_limit(60));
-  EXPECT_EQ(full.exit_code, 4) << full.output;
-  full = run(run_it + " --methods halfspace,fem", with_limit(60));
+  const Ended full = run(run_it + " --methods halfspace,fem", with_limit(60));
 
   EXPECT_EQ(full.exit_code, 4) << full.output;
   EXPECT_TRUE(fs::exists(folder / "one/.new-run/result.h5"));
@@ -333,14 +335,14 @@ TEST_F(FolderUse, AWriteThatFailsAnywhereIsAnErrorThatNamesTheFile) {
         << limit << output;
     EXPECT_NE(output.find(file), std::string::npos) << limit << output;
   };
-  for (const int limit : {0, 1, 2, 4, 8, 16, 64, 200})
+  for (const int limit : {0, 2, 16, 200})
     expect_error(run_it, limit, "one/");
   tests::expect_same_bits(whole, result("one"));
 
   const std::string convert = "surface map.txt --length 1um --height-unit nm "
                               "--no-report --write ";
   for (const char* ending : {"h5", "npy", "gwy", "txt"})
-    for (const int limit : {0, 1, 2, 4}) {
+    for (const int limit : {0, 4}) {
       const std::string file = std::string("copy.") + ending;
       expect_error(convert + file, limit, file);
       EXPECT_FALSE(fs::exists(folder / file)) << ending;
@@ -356,12 +358,14 @@ TEST_F(FolderUse, ClosedDescriptorsChangeNothing) {
     const int status = std::system((program + command).c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   };
-  for (const std::string command :
-       {"list", "schema", "describe small.toml", "completion bash", "cache",
-        "run small.toml --methods halfspace --no-cache --out one", "report one",
-        "certify one", "diff one one", "run no-such-case"})
-    EXPECT_EQ(exit_code(command + " <&- >&- 2>&-"),
-              exit_code(command + " < /dev/null > /dev/null 2> /dev/null"))
+  for (const auto& [command, expected] :
+       {std::pair{"list", 0},
+        {"describe small.toml", 0},
+        {"run small.toml --methods halfspace --no-cache --out one", 0},
+        {"certify one", 0},
+        {"diff one one", 0},
+        {"run no-such-case", 2}})
+    EXPECT_EQ(exit_code(std::string(command) + " <&- >&- 2>&-"), expected)
         << command;
   EXPECT_EQ(result("one").status, "complete");
   EXPECT_EQ(exit_code("run no-such-case > /dev/full 2> /dev/full"), 2);
@@ -408,15 +412,13 @@ TEST_F(FolderUse, OutputThatCannotBeWrittenIsAnError) {
   EXPECT_EQ(WEXITSTATUS(status), 4);
 }
 
-// With --foreground, timeout sends the signal once: a second one would end the
-// program at once.
 TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
   write("quick.toml",
         std::string(small_case) + "[expect]\nkappa = { above = 0.0 }\n");
   const Ended done =
-      run("check quick.toml small.toml --no-cache --junit verdicts.xml "
-          "--set surface.points=1024", // longer than the two seconds
-          "timeout --foreground --preserve-status -s INT 2");
+      interrupt("check quick.toml small.toml --no-cache --junit verdicts.xml "
+                "--set surface.points=512",
+                "out/quick/.lock");
 
   EXPECT_EQ(done.exit_code, 130) << done.output;
   const std::string xml = text_of(folder / "verdicts.xml");
@@ -493,7 +495,7 @@ TEST_F(FolderUse, CasesOfOneNameHaveFoldersOfTheirOwn) {
 // Figures for a journal that somebody has edited outlive a new run; others
 // do not.
 TEST_F(FolderUse, ARunKeepsEditedFigures) {
-  const std::string run_small = "run small.toml --methods theory --out one";
+  const std::string run_small = std::string(reported) + " --no-report";
   const fs::path journal = folder / "one/journal";
   const fs::path kept = folder / "one/journal.edited";
   ASSERT_EQ(run(run_small).exit_code, 0);

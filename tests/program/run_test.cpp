@@ -47,7 +47,10 @@ void expect_same_curves(const Result& one, const Result& other,
   }
 }
 
-TEST_F(RunCommand, WritesAllDocumentedFiles) {
+// Elastic methods also state the areas of (20), within 40 % of the counted one:
+// three estimates of one contact (differences of 25 % are usual). The theory
+// has its own.
+TEST_F(RunCommand, WritesAllDocumentedFilesAndTheAreasOfTheFit) {
   const Ended done = run("run small.toml --out result");
 
   ASSERT_EQ(done.exit_code, 0) << done.output;
@@ -62,15 +65,6 @@ TEST_F(RunCommand, WritesAllDocumentedFiles) {
   EXPECT_EQ(written.methods.at(1).realizations.at(1).fields.size(), 0u);
   EXPECT_EQ(text_of(folder / "result/report.html").find("src=\"http"),
             std::string::npos);
-}
-
-// Elastic methods also state the areas of (20), within 40 % of the counted one:
-// three estimates of one contact (differences of 25 % are usual). The theory
-// has its own.
-TEST_F(RunCommand, ElasticMethodsHaveTheAreasOfTheFit) {
-  ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
-
-  const Result written = result("result");
 
   EXPECT_TRUE(std::isnan(written.methods.at(0).realizations.at(0).points.at(
       0)[columns::area_fraction_fit]));
@@ -85,8 +79,12 @@ TEST_F(RunCommand, ElasticMethodsHaveTheAreasOfTheFit) {
 
 // Jobs on one thread and on two give the same bits.
 TEST_F(RunCommand, ThreadsChangeNothing) {
-  ASSERT_EQ(run("run small.toml --out one --threads 1").exit_code, 0);
-  ASSERT_EQ(run("run small.toml --out two --threads 2").exit_code, 0);
+  ASSERT_EQ(run("run small.toml --no-report --no-cache --out one --threads 1")
+                .exit_code,
+            0);
+  ASSERT_EQ(run("run small.toml --no-report --no-cache --out two --threads 2")
+                .exit_code,
+            0);
 
   expect_same_curves(result("one"), result("two"), 0.0);
 }
@@ -95,7 +93,8 @@ TEST_F(RunCommand, ThreadsChangeNothing) {
 // of the case, 1e-8 h_rms.
 TEST_F(RunCommand, ThreadsInsideOneJobChangeNothingBeyondTheTolerance) {
   const std::string alone =
-      "run small.toml --methods halfspace --set surface.realizations=1 ";
+      "run small.toml --methods halfspace --no-report --no-cache "
+      "--set surface.realizations=1 ";
   ASSERT_EQ(run(alone + "--out one --threads 1").exit_code, 0);
   ASSERT_EQ(run(alone + "--out two --threads 2").exit_code, 0);
 
@@ -104,20 +103,21 @@ TEST_F(RunCommand, ThreadsInsideOneJobChangeNothingBeyondTheTolerance) {
 
 TEST_F(RunCommand, SkipsWhatTheCaseDoesNotNeed) {
   const Ended theory =
-      run("run small.toml --methods theory --out theory", "env LD_DEBUG=files");
+      run("run small.toml --methods theory --no-report --out theory",
+          "env LD_DEBUG=files");
 
   ASSERT_EQ(theory.exit_code, 0) << theory.output;
   EXPECT_EQ(theory.output.find("libdeal"), std::string::npos);
   EXPECT_TRUE(result("theory").surfaces.empty());
 
-  const Ended block =
-      run("run small.toml --methods fem --out fem", "env LD_DEBUG=files");
+  const Ended block = run("run small.toml --methods fem --no-report --out fem",
+                          "env LD_DEBUG=files");
   EXPECT_NE(block.output.find("libdeal"), std::string::npos);
 }
 
 TEST_F(RunCommand, FollowsAMeanGapAndBack) {
   const Ended done =
-      run("run small.toml --methods halfspace,theory --out result "
+      run("run small.toml --methods halfspace,theory --no-report --out result "
           "--set load.nominal_pressure= "
           "--set 'load.mean_gap=[\"2 h_rms\", \"1 h_rms\"]' "
           "--set load.cycle=load-unload");
@@ -145,10 +145,11 @@ TEST_F(RunCommand, StopsInOrderOnCtrlC) {
 }
 
 TEST_F(RunCommand, RefusesToResumeAnotherCase) {
-  ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
+  const std::string theory =
+      "run small.toml --methods theory --no-report --out result ";
+  ASSERT_EQ(run(theory).exit_code, 0);
 
-  const Ended other = run("run small.toml --methods theory --out result "
-                          "--set theory.gamma=0.5 --resume");
+  const Ended other = run(theory + "--set theory.gamma=0.5 --resume");
 
   EXPECT_EQ(other.exit_code, 2) << other.output;
 }

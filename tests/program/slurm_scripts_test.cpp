@@ -45,7 +45,8 @@ const std::string plan_it = "plan rough.toml --slurm --methods halfspace ";
 
 TEST_F(SlurmScripts, ComputeAndMergeTheParts) {
   fs::create_directories(folder / "it's");
-  ASSERT_EQ(run("run rough.toml --methods halfspace --no-cache --out whole")
+  ASSERT_EQ(run("run rough.toml --methods halfspace --no-cache --no-report "
+                "--out whole")
                 .exit_code,
             0);
   const Ended planned = run(plan_it + "--out \"it's/a run\"");

@@ -126,7 +126,7 @@ TEST_F(SweepRuns, ReplacesThePreviousSweep) {
   const std::string page = text_of(folder / "out/rough/report.html");
   const std::string large = small_run +
                             "--no-cache --no-report --threads 1 --set "
-                            "surface.points=256 ";
+                            "surface.points=128 ";
 
   EXPECT_EQ(
       interrupt(large, "out/rough/.new-run/points/001/result.h5").exit_code,
@@ -141,7 +141,7 @@ TEST_F(SweepRuns, ReplacesThePreviousSweep) {
     EXPECT_EQ(results::read_result(point(i) + "/result.h5")
                   .surfaces.at(0)
                   .grid.points_x,
-              256);
+              128);
   EXPECT_FALSE(fs::exists(folder / "out/rough/report.html"));
   EXPECT_FALSE(fs::exists(folder / "out/rough/.new-run"));
 }
@@ -149,7 +149,7 @@ TEST_F(SweepRuns, ReplacesThePreviousSweep) {
 // Ctrl-C ends all points in order; the report states what is missing.
 TEST_F(SweepRuns, IsInterruptedInOrder) {
   const Ended ended =
-      interrupt(small_run + "--no-cache --threads 1 --set surface.points=256",
+      interrupt(small_run + "--no-cache --threads 1 --set surface.points=128",
                 "out/rough/points/001/result.h5");
 
   EXPECT_EQ(ended.exit_code, 130) << ended.output;
@@ -177,7 +177,8 @@ TEST_F(SweepRuns, IsCheckedAtEveryPoint) {
           "[expect]\narea_scale = { above = 0.1, methods = [\"halfspace\"] }\n"
           "[sweep]\ncombine = \"zip\"\n\"surface.hurst\" = [0.5, 0.8]\n"
           "\"expect.area_scale.below\" = [5, 0.2]\n");
-  const Ended checked = run("check rough.toml --junit found.xml");
+  const Ended checked =
+      run("check rough.toml --methods theory,halfspace --junit found.xml");
   EXPECT_EQ(checked.exit_code, 1) << checked.output;
   EXPECT_NE(checked.output.find("rough, point 001"), std::string::npos)
       << checked.output;
