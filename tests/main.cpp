@@ -1,7 +1,8 @@
 // The main function of every test program: that of GoogleTest, with a folder of
 // its own for temporary files. Test programs can therefore run at the same
 // time, of several checkouts and users, and leave no file behind.
-//   test_theory --source persson    the tests of tests/theory/persson_test.cpp
+//   test_theory --source persson punches    the tests of persson_test.cpp and
+//                                           punches_test.cpp in tests/theory
 #include "base/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,8 @@
 
 namespace {
 
-/// Selects the tests of one source; false if there is none.
-bool select_source(const std::string& name) {
+/// The filter of the tests of one source; empty if there is none.
+std::string filter_of_source(const std::string& name) {
   const std::string file = "/" + name + "_test.cpp";
   const auto& program = *testing::UnitTest::GetInstance();
   std::string filter;
@@ -31,18 +32,23 @@ bool select_source(const std::string& name) {
     }
     filter += is_whole ? std::string(suite.name()) + ".*:" : tests;
   }
-  testing::GTEST_FLAG(filter) = filter;
-  return !filter.empty();
+  return filter;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  if (argc == 3 && std::string(argv[1]) == "--source" &&
-      !select_source(argv[2])) {
-    std::fprintf(stderr, "%s: no test of %s_test.cpp\n", argv[0], argv[2]);
-    return 1;
+  if (argc > 2 && std::string(argv[1]) == "--source") {
+    testing::GTEST_FLAG(filter) = "";
+    for (int i = 2; i < argc; ++i) {
+      const std::string filter = filter_of_source(argv[i]);
+      if (filter.empty()) {
+        std::fprintf(stderr, "%s: no test of %s_test.cpp\n", argv[0], argv[i]);
+        return 1;
+      }
+      testing::GTEST_FLAG(filter) += filter;
+    }
   }
   const asperity::TemporaryFolder folder("asperity-test");
   // Some tests run programs as another user.
