@@ -16,7 +16,7 @@ from pathlib import Path
 
 from rough_case import rough_case
 
-CASE = rough_case("small", points=64, realizations=5, steps=4, methods="""[theory]
+CASE = rough_case("small", points=64, realizations=3, steps=4, methods="""[theory]
 gamma = 0.42
 [halfspace]
 contact = "hard"
@@ -36,6 +36,7 @@ class Runner:
 
     def start(self, *words, ranks=1):
         environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMP_NUM_THREADS": "1",
+                                    "OMPI_MCA_mpi_yield_when_idle": "1",
                                     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
         several = [self.mpirun, "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
         return subprocess.Popen([*several, self.program, *words], cwd=self.folder, text=True,
@@ -50,10 +51,10 @@ class Runner:
 
 
 def check_ensemble(runner):
-    ask = ["run", "rough.toml", "--no-cache"]
+    ask = ["run", "rough.toml", "--no-cache", "--methods", "theory,halfspace"]
     runner.run(*ask, "--out", "whole")
     output = runner.run(*ask, ranks=2)
-    assert output.count("rough: 5 realisations on 2 ranks") == 1, output
+    assert output.count("rough: 3 realisations on 2 ranks") == 1, output
     runner.run("diff", "out/rough", "whole", "--tolerance", "0")
     for name in ("curves.csv", "report.html"):
         assert (runner.folder / "out/rough" / name).exists(), name
@@ -64,12 +65,13 @@ def check_ensemble(runner):
 
 def check_repetition(runner):
     """Without --resume everything is computed again, with it nothing."""
-    runner.run("run", "rough.toml", "--no-cache", "--resume", ranks=2)
+    ask = ["run", "rough.toml", "--no-cache", "--methods", "theory,halfspace", "--no-report"]
+    runner.run(*ask, "--resume", ranks=2)
     log = runner.folder / "out/rough/parts/2-of-2/log.txt"
     assert "is complete already" in log.read_text(), log.read_text()
     notes = runner.folder / "out/rough/parts/1-of-2/notes.txt"
     notes.write_text("the user's own\n")
-    runner.run("run", "rough.toml", "--no-cache", ranks=2)
+    runner.run(*ask, ranks=2)
     assert "is complete already" not in log.read_text(), log.read_text()
     assert notes.read_text() == "the user's own\n"
 
@@ -110,14 +112,14 @@ def check_maps(runner):
 
 def check_kill(runner):
     """What a killed part has lost is named, and --resume computes it."""
-    ask = ["run", "rough.toml", "--no-cache", "--methods", "halfspace",
-           "--set", "surface.points=512"]
-    runner.run(*ask, "--out", "whole-512")
+    ask = ["run", "rough.toml", "--no-cache", "--methods", "halfspace", "--no-report",
+           "--set", "surface.points=384", "--set", "surface.realizations=2"]
+    runner.run(*ask, "--out", "undivided")
     process = runner.start(*ask, "--out", "killed", ranks=2)
     part = runner.folder / "killed/parts/2-of-2"
     end = time.monotonic() + PATIENCE
-    while not ((part / "log.txt").exists() and " 2/8 " in (part / "log.txt").read_text()):
-        assert time.monotonic() < end and process.poll() is None, "no second step"
+    while not ((part / "log.txt").exists() and " 1/4 " in (part / "log.txt").read_text()):
+        assert time.monotonic() < end and process.poll() is None, "no step"
         time.sleep(0.01)
     os.kill(int(re.search(r"process (\d+) ", (part / ".lock").read_text())[1]), signal.SIGKILL)
     output, _ = process.communicate(timeout=280)
@@ -125,7 +127,7 @@ def check_kill(runner):
     assert "1 of 2 parts is missing or incomplete" in output, output
     assert "--part 2/2: parts/2-of-2 is running" in output, output
     runner.run(*ask, "--out", "killed", "--resume", ranks=2)
-    runner.run("diff", "killed", "whole-512", "--tolerance", "0")
+    runner.run("diff", "killed", "undivided", "--tolerance", "0")
     assert "is complete already" in (runner.folder / "killed/parts/1-of-2/log.txt").read_text()
 
 
@@ -133,7 +135,7 @@ def check_full_block(runner):
     """All ranks solve a full block together, so that its realisations are not
     distributed; the points of a sweep are processes of rank 0 alone."""
     ask = ["run", "rough-3d", "--no-cache", "--no-report", "--methods", "fem",
-           "--set", "surface.points=16"]
+           "--set", "surface.points=16", "--set", 'load.nominal_pressure=["0.01 E*"]']
     output = runner.run(*ask, "--set", "surface.realizations=2", ranks=2)
     assert "ranks" not in output and output.count("steps: ") == 1, output
     output = runner.run(*ask, "--set", 'sweep."surface.seed"=[1, 2]', "--out", "seeds", ranks=2)

@@ -183,15 +183,15 @@ TEST_F(ResultJournal, ReadsAsTheFileThatItBecomes) {
   EXPECT_EQ(before.skipped[0].why, after.skipped.at(0).why);
 }
 
-// The bytes that a step writes do not grow with the file: here it contains 8 MB
-// of heights and a thousand rows, and a row has some 1 500 bytes with the names
-// of all columns. Copying the file would be 8 MB per step.
+// The bytes that a step writes do not grow with the file: here it contains half
+// a MB of heights and a hundred rows, and a row has some 1 500 bytes with the
+// names of all columns. Copying the file would be half a MB per step.
 TEST_F(ResultJournal, AStepCostsItsOwnSizeAlone) {
-  const Grid large{1024, 1024, 1e-6, 1e-6};
+  const Grid large{256, 256, 1e-6, 1e-6};
   ResultWriter writer(folder_, sample_case());
   writer.record_surface(0, surface_of(1e-9, large));
   writer.begin_method("fem", "fem", "");
-  constexpr int steps = 1000;
+  constexpr int steps = 100;
   double most = 0.0;
   for (int step = 0; step < steps; ++step) {
     const double before = bytes_written();
@@ -213,7 +213,7 @@ TEST_F(ResultJournal, CopiesGrowAsTheResultDoes) {
   fields.gap = fields.pressure;
   ResultWriter writer(folder_, sample_case());
   writer.begin_method("fem", "fem", "");
-  constexpr int steps = 300; // 10 MB
+  constexpr int steps = 100; // 3 MB
   const double before = bytes_written();
   for (int step = 0; step < steps; ++step) {
     fields.step = step;
@@ -592,7 +592,7 @@ TEST_F(ResultKill, AtAnyMomentLosesNoFinishedStep) {
   int n_before = 0;
   int n_kills_in_a_copy = 0;
 
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < 21; ++run) {
     const int last = last_step_of_killed_run(
         folder_, run % 3, std::chrono::microseconds(delay_us(random)));
     n_kills_in_a_copy += std::filesystem::exists(folder_ / ".result.h5.part");
@@ -612,7 +612,7 @@ TEST_F(ResultKill, AtAnyMomentLosesNoFinishedStep) {
     n_before = n_points;
   }
 
-  EXPECT_GT(n_before, 50) << "the kills came before the steps";
+  EXPECT_GT(n_before, 15) << "the kills came before the steps";
   EXPECT_GT(n_kills_in_a_copy, 0) << "no kill hit a copy of the file";
 }
 
