@@ -23,7 +23,7 @@ void expect_good(const InstanceReport& report, const Instance& instance) {
 TEST(Slice, HasNoOtherOutcome) {
   int verified = 0;
   int refused = 0;
-  for (int index = 0; index < 160; ++index) {
+  for (int index = 0; index < 48; ++index) {
     Instance instance = draw_instance(11, index);
     if (instance.label("family") == "full-block" ||
         instance.label("points") == "64")
@@ -35,21 +35,16 @@ TEST(Slice, HasNoOtherOutcome) {
     verified += report.outcome == Outcome::verified;
     refused += report.outcome == Outcome::refused;
   }
-  EXPECT_GT(verified, 80);
-  EXPECT_GT(refused, 10);
+  EXPECT_GT(verified, 20);
+  EXPECT_GT(refused, 2);
 }
 
 // Small elastic blocks with every unknown, equal to the direct solver: the
-// first one of each mesh and counter-body, of alternating order.
+// first one of each mesh and counter-body that no kept problem has.
 TEST(Slice, SolvesFullBlocks) {
   int index = 0;
-  for (const auto& [kind, element] : {std::pair{"layers", "Q1"},
-                                      {"hanging", "Q2"},
-                                      {"adaptive", "Q1"},
-                                      {"gmsh", "Q2"},
-                                      {"sphere", "Q1"},
-                                      {"cylinder", "Q2"},
-                                      {"cuboid", "Q1"}}) {
+  for (const auto& [kind, element] :
+       {std::pair{"layers", "Q1"}, {"gmsh", "Q2"}, {"cuboid", "Q1"}}) {
     Instance instance;
     for (bool is_found = false; !is_found; ++index) {
       instance = draw_instance(12, index);
@@ -97,6 +92,12 @@ TEST_P(KeptProblem, IsVerified) {
   EXPECT_LT(report.iterations, most);
 }
 
+std::string name_of_kept(const testing::TestParamInfo<const char*>& one) {
+  std::string name = one.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Slice, KeptProblem,
     testing::Values("active-set-fails", "adaptive-small-gap-1",
@@ -105,15 +106,16 @@ INSTANTIATE_TEST_SUITE_P(
                     "ball-second-order", "cycling-set", "direct-goes-on-1",
                     "direct-goes-on-2", "direct-goes-on-3", "direct-goes-on-4",
                     "first-load-too-large", "flat-cells", "gap-above-least",
-                    "many-layers", "no-contact-1", "no-contact-2",
-                    "no-tension-hanging", "soft-cylinder",
-                    "soft-working-penalty-1", "soft-working-penalty-2",
+                    "many-layers", "no-contact-2", "no-tension-hanging",
+                    "soft-cylinder", "soft-working-penalty-1",
                     "soft-working-penalty-3", "stiff-coating"),
-    [](const auto& one) {
-      std::string name = one.param;
-      std::ranges::replace(name, '-', '_');
-      return name;
-    });
+    name_of_kept);
+
+// Some ten seconds each: in CI alone (robustness/slow_problems).
+INSTANTIATE_TEST_SUITE_P(DISABLED_Slow, KeptProblem,
+                         testing::Values("no-contact-1",
+                                         "soft-working-penalty-2"),
+                         name_of_kept);
 
 // Full steps of Newton's method on a coating that yields leave for 2e4 times
 // the load.
@@ -132,7 +134,6 @@ TEST(Slice, FindsTheContactOfAYieldingCoating) {
 TEST(Slice, SaysWhyThereIsNoSolution) {
   for (const auto& [name, words] :
        {std::pair{"refused-forces", "roundoff of the displacements"},
-        {"refused-gap", "mean must be at least"},
         {"refused-stationary", "its mean must be at least"},
         {"refused-gap-below-least", "must be at least "}}) {
     const InstanceReport report = run_instance(kept(name));
