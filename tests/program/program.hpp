@@ -94,4 +94,29 @@ contact = "penalty"
 penalty = "100 E*/h"
 )");
 
+/// A sphere that leaves an imprint, in steps of a tenth of a second.
+inline std::string imprint_case(int steps) {
+  return R"(schema = 1
+title = "imprint"
+[surface]
+kind = "sphere"
+length = "1 um"
+points = 16
+radius = "5 length"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = { from = "1e-3 E*", to = "4e-3 E*", spacing = "linear", steps = )" +
+         std::to_string(steps) + R"( }
+[fem]
+element = "Q2"
+contact = "hard"
+solver = "full"
+yield_stress = "0.01 E*"
+[report]
+fields = 1
+)";
+}
+
 } // namespace asperity::program

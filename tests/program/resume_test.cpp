@@ -12,28 +12,6 @@
 
 namespace asperity::program::resume_test {
 
-/// A sphere that leaves an imprint, in steps of a tenth of a second.
-const std::string flowing_case = R"(schema = 1
-title = "imprint"
-[surface]
-kind = "sphere"
-length = "1 um"
-points = 16
-radius = "5 length"
-[material]
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = { from = "1e-3 E*", to = "4e-3 E*", steps = 6, spacing = "linear" }
-[fem]
-element = "Q2"
-contact = "hard"
-solver = "full"
-yield_stress = "0.01 E*"
-[report]
-fields = 1
-)";
-
 class Resume : public ProgramTest {
 protected:
   Resume() { write("small.toml", small_case); }
@@ -111,7 +89,7 @@ TEST_F(Resume, KillsAtAnyMomentChangeNoBit) {
 // file is cut off, the step is computed again.
 TEST_F(Resume, ABlockThatFlowsGoesOnFromItsPlasticStrain) {
   namespace fs = std::filesystem;
-  write("small.toml", flowing_case);
+  write("small.toml", imprint_case(6));
   methods_ = "fem";
   ASSERT_EQ(run("run small.toml --no-cache --no-report --methods fem --out "
                 "whole")

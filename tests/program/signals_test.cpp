@@ -27,26 +27,6 @@ viscosity = "1 mPa s"
 pressure_drop = "10 kPa"
 )";
 
-/// A sphere that leaves an imprint in a block.
-const std::string plastic_block = R"(schema = 1
-title = "Imprint"
-[surface]
-kind = "sphere"
-length = "1 um"
-points = 16
-radius = "5 length"
-[material]
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = { from = "1e-3 E*", to = "4e-3 E*", steps = 400, spacing = "linear" }
-[fem]
-element = "Q2"
-contact = "hard"
-solver = "full"
-yield_stress = "0.01 E*"
-)";
-
 class Signals : public ProgramTest {
 protected:
   /// Runs a case as by nohup. After its first step it gets SIGHUP, as from a
@@ -77,7 +57,7 @@ TEST_F(Signals, EndAFlowInAnOrderlyWay) {
 }
 
 TEST_F(Signals, EndAPlasticBlockInAnOrderlyWay) {
-  expect_report_of_an_interrupted_run(hang_up_and_terminate(plastic_block));
+  expect_report_of_an_interrupted_run(hang_up_and_terminate(imprint_case(400)));
 }
 
 } // namespace asperity::program::signals_test
