@@ -42,8 +42,7 @@ public:
   void operator()(
       const std::function<void(std::span<const double> rows)>& take) const {
     const std::size_t most =
-        2 * std::max(std::size_t{1},
-                     results::values_at_a_time / (2 * width_));
+        2 * std::max(std::size_t{1}, results::values_at_a_time / (2 * width_));
     for (std::size_t row = 0; row < 2 * height_; row += most)
       take(rows(row, std::min(2 * height_, row + most)));
   }
