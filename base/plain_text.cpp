@@ -3,6 +3,9 @@
 #include <boost/locale/utf.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
 
 namespace asperity {
 
@@ -89,6 +92,15 @@ std::string trimmed(std::string_view text) {
     return "";
   return std::string(
       text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+std::pair<double, std::string_view> number_and_rest(std::string_view text) {
+  double number = 0.0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{})
+    return {std::nan(""), text};
+  return {number, text.substr(static_cast<std::size_t>(end - text.data()))};
 }
 
 } // namespace asperity

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace asperity {
 
@@ -46,5 +47,9 @@ std::string line_mistake(std::string_view text,
 
 /// `text` without the blanks and tabs at its ends.
 std::string trimmed(std::string_view text);
+
+/// The number with which a text begins, written with a decimal point, and what
+/// follows it; NaN and the whole text if there is none that a double can hold.
+std::pair<double, std::string_view> number_and_rest(std::string_view text);
 
 } // namespace asperity

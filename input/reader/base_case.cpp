@@ -35,9 +35,8 @@ std::string text_of_file(const std::string& path, const Place& asked_at) {
 // Returns true for a table that holds keys, such as [fem] or [fem.hard], and
 // false for a value that is written as a table, such as a sweep or a band.
 bool holds_keys(const Node& table, const NodeEntry& entry) {
-  return entry.node.is_table() && table.path != "expect" &&
-         find_key(table.path.substr(0, table.path.find('.')), entry.key) ==
-             nullptr;
+  return table.path != "expect" &&
+         is_variant(entry, table.path.substr(0, table.path.find('.')));
 }
 
 void flatten(const Node& table, const std::string& prefix,

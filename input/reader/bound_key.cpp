@@ -1,5 +1,7 @@
 #include "input/reader/bound_key.hpp"
 
+#include "base/plain_text.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -7,16 +9,6 @@
 #include <stdexcept>
 
 namespace asperity::cases {
-namespace {
-
-bool is_toml_number(const std::string& text) {
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  return std::from_chars(text.data(), end, number).ptr == end;
-}
-
-} // namespace
-
 std::vector<Key> of(const std::vector<std::string>& kinds,
                     std::vector<Key> keys) {
   for (Key& key : keys)
@@ -60,7 +52,7 @@ Key key(std::string name, Values values, std::string description, Given given) {
   const std::string& text = given.example;
   const bool is_string = has_strings && !text.empty() && text[0] != '[' &&
                          text[0] != '{' && text[0] != '"' &&
-                         !is_toml_number(text);
+                         !number_and_rest(text).second.empty();
   return {.name = std::move(name),
           .type = values.type,
           .dimension = values.dimension,

@@ -1,8 +1,12 @@
 #include "input/reader/locking.hpp"
 
+#include "input/types/omissions.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <variant>
 
 namespace asperity::cases {
@@ -74,6 +78,17 @@ interpolation_warnings(const Case& contact_case,
           "nodes are points of the map");
   }
   return warnings;
+}
+
+std::vector<std::string> warnings_about(const Case& contact_case,
+                                        std::span<const MethodSpec> methods) {
+  std::vector<std::string> all =
+      locking_warnings(contact_case.material, methods);
+  for (std::vector<std::string>& more :
+       std::array{interpolation_warnings(contact_case, methods),
+                  omission_warnings(contact_case, methods)})
+    std::ranges::move(more, std::back_inserter(all));
+  return all;
 }
 
 } // namespace asperity::cases

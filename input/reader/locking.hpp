@@ -31,4 +31,9 @@ std::vector<std::string>
 interpolation_warnings(const Case& contact_case,
                        std::span<const MethodSpec> methods);
 
+/// Returns the warnings above and omission_warnings() about the methods of a
+/// run.
+std::vector<std::string> warnings_about(const Case& contact_case,
+                                        std::span<const MethodSpec> methods);
+
 } // namespace asperity::cases

@@ -1,3 +1,4 @@
+#include "base/plain_text.hpp"
 #include "base/special_numbers.hpp"
 #include "input/nearest.hpp"
 #include "input/reader/read_parts.hpp"
@@ -9,7 +10,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace asperity::cases {
@@ -48,11 +48,8 @@ double half_width(TableReader& band, double value) {
     return 0.0;
   if (within->is_number())
     return band.number("within");
-  double percent = -1.0;
-  const char* const end = within->text.data() + within->text.size();
-  const auto [rest, error] = std::from_chars(within->text.data(), end, percent);
-  const std::string unit(rest, end);
-  if (error != std::errc{} || (unit != " %" && unit != "%") ||
+  const auto [percent, unit] = number_and_rest(within->text);
+  if ((unit != " %" && unit != "%") ||
       !(percent >= 0.0 && std::isfinite(percent))) {
     band.refuse(*within, "must be a number >= 0 or a string like \"5 %\"");
     return 0.0;

@@ -107,7 +107,7 @@ void check_free_boundaries(const Node& file, const Case& read,
 
 const Node& entry_of(const Node& file, const std::string& name,
                      const std::string& key) {
-  const Node& base = *file.find(name.substr(0, name.find('.')));
+  const Node& base = *file.find(kind_of_method(name));
   const Node* const variant = file.at(name);
   const Node& method = variant ? *variant : base;
   const Node* const own = method.find(key);

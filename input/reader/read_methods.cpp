@@ -198,12 +198,6 @@ MethodSpec read_method(const Node& node, const std::string& kind,
   return method;
 }
 
-// Returns true for a variant, which is a sub-table whose name is not a key:
-// [fem.hard].
-bool is_variant(const NodeEntry& entry, const std::string& kind) {
-  return entry.node.is_table() && find_key(kind, entry.key) == nullptr;
-}
-
 /// Tables of a result are named after a method, with a word before it that is
 /// no longer than this: "stress-sections-".
 constexpr std::size_t longest_word = 20;
@@ -222,17 +216,6 @@ void check_variant_name(const NodeEntry& entry, TableReader& file) {
                               "letters a-z, digits and hyphens");
 }
 
-/// Merges the keys of a variant into those of its base method. Inherited keys
-/// keep their place and path, so that a mistake in one of them is reported
-/// once, where it is written.
-Node inherited(const Node& base, const Node& variant) {
-  Node merged = variant;
-  for (const NodeEntry& entry : base.entries)
-    if (!merged.find(entry.key))
-      merged.entries.push_back(entry);
-  return merged;
-}
-
 /// Returns "[theory], [halfspace], ...".
 std::string names_of_methods() {
   std::string names;
@@ -246,17 +229,14 @@ void read_family(const Node& node, const std::string& kind,
                  const MethodSurroundings& surroundings,
                  std::vector<std::vector<MethodSpec>>& ranks,
                  TableReader& file) {
-  Node base = node;
-  std::erase_if(base.entries, [&](const NodeEntry& entry) {
-    return is_variant(entry, kind);
-  });
-  ranks[0].push_back(read_method(base, kind, surroundings, file));
+  ranks[0].push_back(
+      read_method(method_table(node, kind), kind, surroundings, file));
   for (const NodeEntry& entry : node.entries) {
     if (!is_variant(entry, kind))
       continue;
     check_variant_name(entry, file);
-    ranks[1].push_back(
-        read_method(inherited(base, entry.node), kind, surroundings, file));
+    ranks[1].push_back(read_method(method_table(node, kind, &entry.node), kind,
+                                   surroundings, file));
   }
 }
 

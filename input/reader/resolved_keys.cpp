@@ -164,18 +164,10 @@ private:
 
   /// Adds the keys of each variant, [fem.hard], with those it inherits.
   void add_variants(const Table& table, const Node& base) {
-    for (const NodeEntry& variant : base.entries) {
-      if (!variant.node.is_table() ||
-          find_key(table.name, variant.key) != nullptr)
-        continue;
-      Node merged = variant.node;
-      for (const NodeEntry& entry : base.entries)
-        if (!merged.find(entry.key) &&
-            (!entry.node.is_table() ||
-             find_key(table.name, entry.key) != nullptr))
-          merged.entries.push_back(entry);
-      add_table(table, merged, table.name + "." + variant.key);
-    }
+    for (const NodeEntry& entry : base.entries)
+      if (is_variant(entry, table.name))
+        add_table(table, method_table(base, table.name, &entry.node),
+                  table.name + "." + entry.key);
   }
 
   const Node& file_;

@@ -263,6 +263,24 @@ const Key* find_key(const std::string& table, const std::string& name) {
   return nullptr;
 }
 
+bool is_variant(const NodeEntry& entry, const std::string& kind) {
+  return entry.node.is_table() && find_key(kind, entry.key) == nullptr;
+}
+
+Node method_table(const Node& table, const std::string& kind,
+                  const Node* variant) {
+  Node whole = variant == nullptr ? table : *variant;
+  if (variant == nullptr)
+    std::erase_if(whole.entries, [&](const NodeEntry& entry) {
+      return is_variant(entry, kind);
+    });
+  else
+    for (const NodeEntry& entry : table.entries)
+      if (!is_variant(entry, kind) && !whole.find(entry.key))
+        whole.entries.push_back(entry);
+  return whole;
+}
+
 void append_keys(std::vector<Key>& keys, const std::vector<Key>& more) {
   keys.insert(keys.end(), more.begin(), more.end());
 }

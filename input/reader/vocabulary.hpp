@@ -5,6 +5,7 @@
 // docs/reference/case.md are all derived from this table. Its rows are in
 // vocabulary*.cpp, in the notation of bound_key.hpp.
 
+#include "input/text/node.hpp"
 #include "input/types/case.hpp"
 #include "input/types/units.hpp"
 
@@ -137,6 +138,17 @@ const Key& vocabulary_key(const Table& table, const std::string& name);
 
 /// Returns the key of a table; null if there is no such table or key.
 const Key* find_key(const std::string& table, const std::string& name);
+
+/// Whether an entry of the table of a method is a variant: a table whose name
+/// is no key, [fem.hard].
+bool is_variant(const NodeEntry& entry, const std::string& kind);
+
+/// The table of a method of a kind without its variants, or that of a variant
+/// with the keys that it inherits. These keep their place and path, so that a
+/// mistake in one of them is reported once, where it is written.
+/// @param variant  in the table; null: the method itself
+Node method_table(const Node& table, const std::string& kind,
+                  const Node* variant = nullptr);
 
 /// Returns the allowed words, units or type of a key as messages show them:
 /// "clamped | sliding".

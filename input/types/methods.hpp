@@ -22,6 +22,11 @@ using MethodSettings =
                  mechanics::FemSettings, mechanics::MdSettings,
                  mechanics::WinklerSettings>;
 
+/// Returns the table of a method, "fem" for "fem.hard".
+inline std::string kind_of_method(const std::string& name) {
+  return name.substr(0, name.find('.'));
+}
+
 /// One method to run. A table [fem] is the method "fem"; a table inside it,
 /// [fem.hard], is the method "fem.hard", which has the keys of [fem] with its
 /// own keys taking precedence.

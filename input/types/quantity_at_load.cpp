@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace asperity::cases {
@@ -33,12 +32,10 @@ std::optional<std::string> value_of(const std::string& key,
 
 std::optional<double> positive_number(const std::optional<std::string>& text) {
   const std::string digits = trimmed(text.value_or(""));
-  double number = 0.0;
-  const char* const end = digits.data() + digits.size();
-  const auto [rest, error] = std::from_chars(digits.data(), end, number);
-  const bool is_good = error == std::errc{} && rest == end &&
-                       std::isfinite(number) && number > 0.0;
-  return is_good ? std::optional(number) : std::nullopt;
+  const auto [number, rest] = number_and_rest(digits);
+  return rest.empty() && std::isfinite(number) && number > 0.0
+             ? std::optional(number)
+             : std::nullopt;
 }
 
 /// Returns the mistake in a name that should be one of `known`; "" if it is

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -46,13 +45,9 @@ std::optional<std::vector<std::string>> fields_of(const std::string& line) {
 
 double number_in(const std::string& field, const std::string& column,
                  const input::Place& place, input::Mistakes& mistakes) {
-  double number = 0.0;
-  const char* const end = field.data() + field.size();
-  const auto [rest, error] = std::from_chars(field.data(), end, number);
-  const bool is_good = error == std::errc{} && rest == end &&
-                       std::isfinite(number) &&
-                       (column == "value" || number >= 0.0);
-  if (!is_good)
+  const auto [number, rest] = number_and_rest(field);
+  if (!rest.empty() || !std::isfinite(number) ||
+      (column != "value" && number < 0.0))
     mistakes.add(place, fmt::format("{} = {}, but must be a number{}", column,
                                     field, column == "value" ? "" : " >= 0"));
   return number;

@@ -11,9 +11,9 @@ void RowObserver::record(const CurveColumn& column, const Observed& observed) {
   column.set(row_, is_determined ? observed.value : Observed::none);
   if (is_determined)
     return;
-  row_.note += fmt::format(
-      "{}{} is not determined: {}", row_.note.empty() ? "" : "; ", column.name,
-      observed.reason.empty() ? "its value is not finite" : observed.reason);
+  row_.add_note(fmt::format("{} is not determined: {}", column.name,
+                            observed.reason.empty() ? "its value is not finite"
+                                                    : observed.reason));
 }
 
 } // namespace asperity::results

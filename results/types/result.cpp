@@ -27,10 +27,13 @@ std::vector<double> Table::values(const std::string& column) const {
 }
 
 const Table* Result::table(const std::string& name) const {
-  const auto found =
-      std::find_if(tables.begin(), tables.end(),
-                   [&](const Table& one) { return one.name == name; });
+  const auto found = std::ranges::find(tables, name, &Table::name);
   return found == tables.end() ? nullptr : &*found;
+}
+
+const MethodRecord* Result::method(const std::string& name) const {
+  const auto found = std::ranges::find(methods, name, &MethodRecord::name);
+  return found == methods.end() ? nullptr : &*found;
 }
 
 } // namespace asperity::results

@@ -46,6 +46,11 @@ struct CurvePoint {
   bool is_unloading = false;
   std::string note; ///< why it did not converge or an observable is NaN; or ""
 
+  /// Adds a reason to the note.
+  void add_note(const std::string& reason) {
+    note += (note.empty() ? "" : "; ") + reason;
+  }
+
   /// The number in a column; CurveColumn::blank() if the row has none.
   double operator[](const CurveColumn& column) const;
 
@@ -201,8 +206,9 @@ struct Result {
   std::vector<Table> tables = {}; ///< in the order of the studies
   std::vector<Skipped> skipped = {};
 
-  /// Returns the table of that name, or null if there is none.
+  /// Return the table or the method of that name, or null if there is none.
   const Table* table(const std::string& name) const;
+  const MethodRecord* method(const std::string& name) const;
 };
 
 } // namespace asperity::results
