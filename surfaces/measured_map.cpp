@@ -1,5 +1,6 @@
 #include "surfaces/measured_map.hpp"
 
+#include "base/maximum.hpp"
 #include "base/plain_text.hpp"
 #include "base/shown_number.hpp"
 #include "input/case_options.hpp"
@@ -111,13 +112,6 @@ void refuse_marks(std::span<const double> heights, const FileNumbers& numbers,
 
 using mechanics::SurfaceSpec;
 
-double largest_magnitude(const HeightMap& map) {
-  double largest = 0.0;
-  for (const double height : map.heights)
-    largest = std::max(largest, std::abs(height));
-  return largest;
-}
-
 /// Mean square slope between neighbours inside the map along x or y, added row
 /// by row.
 double mean_square_slope(const HeightMap& map, bool is_along_x) {
@@ -175,7 +169,7 @@ void require_relief(const SurfaceSpec& surface, double before, double left) {
 }
 
 void level_form(const SurfaceSpec& surface, HeightMap& map) {
-  const double before = largest_magnitude(map);
+  const double before = largest_magnitude(map.heights);
   require_lengths(surface, map.grid, before);
   try {
     remove_trend(map, surface.level);
@@ -183,7 +177,7 @@ void level_form(const SurfaceSpec& surface, HeightMap& map) {
     throw input::InputError(
         fmt::format("{}: surface.level: {}", surface.file, error.what()));
   }
-  require_relief(surface, before, largest_magnitude(map));
+  require_relief(surface, before, largest_magnitude(map.heights));
 }
 
 /// Adds form and spikes of the levelled map to the faults.

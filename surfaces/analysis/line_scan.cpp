@@ -16,12 +16,12 @@
 #include "surfaces/maps/levelling.hpp"
 #include "surfaces/maps/statistics.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -207,51 +207,32 @@ std::vector<PowerPiece> pieces_of(const std::vector<SpectrumRing>& rows) {
 }
 
 /// int -C_1'(q) dq/sqrt(q^2 - k^2) over one piece, q >= k. With u = sqrt(q^2 -
-/// k^2) the integrand -C_1'(q)/q du is smooth; the rule is Gauss-Legendre of
-/// 5 points on four parts.
+/// k^2) the integrand -C_1'(q)/q du is smooth.
 double abel_integral(const PowerPiece& piece, double wavevector) {
-  static constexpr double nodes[] = {-0.9061798459386640, -0.5384693101056831,
-                                     0.0, 0.5384693101056831,
-                                     0.9061798459386640};
-  static constexpr double weights[] = {0.2369268850561891, 0.4786286704993665,
-                                       0.5688888888888889, 0.4786286704993665,
-                                       0.2369268850561891};
-  constexpr int parts = 4;
   const double square = wavevector * wavevector;
   const auto distance = [&](double q) {
     return std::sqrt(std::max(0.0, q * q - square));
   };
-  const double begin = distance(std::max(piece.start, wavevector));
-  const double width = (distance(piece.end) - begin) / parts;
-  double sum = 0.0;
-  for (int part = 0; part < parts; ++part)
-    for (int i = 0; i < 5; ++i) {
-      const double u = begin + width * (part + 0.5 + 0.5 * nodes[i]);
-      const double q = std::sqrt(square + u * u);
-      sum += 0.5 * width * weights[i] * -piece.exponent * piece.density *
-             std::pow(q / piece.start, piece.exponent) / (q * q);
-    }
-  return sum;
+  return boost::math::quadrature::gauss<double, 20>::integrate(
+      [&](double u) {
+        const double q = std::sqrt(square + u * u);
+        return -piece.exponent * piece.density *
+               std::pow(q / piece.start, piece.exponent) / (q * q);
+      },
+      distance(std::max(piece.start, wavevector)), distance(piece.end));
 }
 
 } // namespace
 
 bool is_line_scan(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(4096, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  const MapFormat& format = format_of_map({head, path}, "auto");
-  if (format.name != std::string_view()) // a text of no own format
-    return false;
   try {
-    const std::string text =
-        input::read_input_file(path, input::largest_number_file);
-    if (text.find('\0') != std::string::npos)
+    const MapBytes bytes = MapBytes::of_file(path);
+    // A text of no own format.
+    if (format_of_map(bytes, "auto").name != std::string_view())
       return false;
     NumberTableReader reader(path, NumberStyle::profile);
     std::size_t columns = 0;
-    each_line(text, [&](std::string_view line) {
+    each_line(bytes.all(), [&](std::string_view line) {
       reader.take(line);
       columns = std::max(columns, reader.numbers_so_far().size());
       // A map need not be parsed twice: two rows tell.

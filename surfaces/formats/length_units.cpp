@@ -1,15 +1,14 @@
 #include "surfaces/formats/length_units.hpp"
 
+#include "base/plain_text.hpp"
 #include "input/units.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace asperity::surfaces {
@@ -20,12 +19,7 @@ namespace {
 std::pair<double, std::string_view> leading_number(std::string_view text) {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-')
     text.remove_prefix(1);
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{})
-    return {std::nan(""), text};
-  return {number, text.substr(static_cast<std::size_t>(stop - text.data()))};
+  return number_and_rest(text);
 }
 
 /// Replaces the only comma of a text by a dot.

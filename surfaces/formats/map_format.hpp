@@ -84,7 +84,9 @@ struct MapFormat {
   /// Whether the bytes of a file, or the first 64 kB, are of this format.
   bool (*reads)(std::string_view bytes);
   /// Reads a channel. Heights are NaN at missing points; those that the number
-  /// of the case or Scan::numbers.missing marks are found afterwards.
+  /// of the case or Scan::numbers.missing marks are found afterwards. Scales
+  /// and channels of the case that no file of the format needs are refused
+  /// before.
   Scan (*heights)(const MapBytes& bytes, const ScanRequest& request);
   /// Null: there is one channel, in metres.
   std::vector<ChannelInfo> (*channels)(const MapBytes& bytes) = nullptr;
@@ -141,7 +143,13 @@ void require_file(const MapBytes& bytes);
 Grid grid_by_scale(const Grid& points, const std::string& name,
                    const std::string& what, const MapScale& scale);
 
-/// Refuses keys of the case for what the file itself says.
+/// Refuses a key [surface] of the case for what the file itself says.
+/// @param why  "line 3 of map.txt gives '1 um'"
+/// @throws input::InputError  the value is given
+void refuse_given(const char* key, const std::optional<double>& value,
+                  const std::string& why);
+
+/// Refuses all keys of the scale for what the file itself says.
 /// @throws input::InputError  a member of scale is given
 void refuse_scale(const MapScale& scale, const std::string& name);
 

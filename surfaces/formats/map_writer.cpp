@@ -110,6 +110,14 @@ std::string x3p_document(const Grid& grid, const std::string& point_sum) {
       grid.points_y, point_sum);
 }
 
+std::string x3p_bytes(const HeightMap& map) {
+  const std::string heights = bytes_of_heights(map);
+  const std::string document = x3p_document(map.grid, md5_hash(heights));
+  return zip_bytes({{"main.xml", document},
+                    {"bindata/data.bin", heights},
+                    {"md5checksum.hex", md5_hash(document) + " *main.xml\n"}});
+}
+
 /// Writes beside the target and renames, because the library writes the file
 /// by itself.
 void write_hdf5(const std::filesystem::path& path, const HeightMap& map,
@@ -163,28 +171,16 @@ std::string gwyddion_bytes(const HeightMap& map, const std::string& title,
   return "GWYP" + container.bytes();
 }
 
-std::string x3p_bytes(const HeightMap& map) {
-  const std::string heights = bytes_of_heights(map);
-  const std::string document = x3p_document(map.grid, md5_hash(heights));
-  return zip_bytes({{"main.xml", document},
-                    {"bindata/data.bin", heights},
-                    {"md5checksum.hex", md5_hash(document) + " *main.xml\n"}});
-}
-
 std::string gwyddion_text(const HeightMap& map, const std::string& title,
                           const std::string& unit) {
   std::string text =
-      fmt::format("# Channel: {}\n# Width: {:.17g} m\n"
-                  "# Height: {:.17g} m\n# Value units: {}\n",
+      fmt::format("# Channel: {}\n# Width: {} m\n"
+                  "# Height: {} m\n# Value units: {}\n",
                   printable(title), map.grid.length_x, map.grid.length_y, unit);
-  std::size_t column = 0;
-  for (const double height : map.heights) {
-    const bool is_last =
-        ++column == static_cast<std::size_t>(map.grid.points_x);
-    text += fmt::format("{:.17g}{}", height, is_last ? '\n' : '\t');
-    if (is_last)
-      column = 0;
-  }
+  const auto columns = static_cast<std::size_t>(map.grid.points_x);
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
+    text += fmt::format("{}{}", map.heights[i],
+                        (i + 1) % columns == 0 ? '\n' : '\t');
   return text;
 }
 

@@ -25,7 +25,7 @@ struct MapQuantity {
 ///     .h5   dataset /heights, or the name of the quantity, with the attributes
 ///           unit, length and length_y
 ///     .gwy  one channel of Gwyddion's native format
-///     .txt  Gwyddion's text matrix with 17 digits
+///     .txt  Gwyddion's text matrix, whose numbers read back bitwise equal
 ///     .x3p  ISO 5436-2, a surface with incremental axes and float64 heights;
 ///           a length only
 ///
@@ -44,8 +44,7 @@ void write_map(const std::filesystem::path& path, const HeightMap& map,
 std::string gwyddion_bytes(const HeightMap& map, const std::string& title,
                            const std::string& unit = "m");
 
-/// The bytes of an X3P file and of a Gwyddion text matrix.
-std::string x3p_bytes(const HeightMap& map);
+/// The bytes of a Gwyddion text matrix.
 std::string gwyddion_text(const HeightMap& map, const std::string& title,
                           const std::string& unit = "m");
 

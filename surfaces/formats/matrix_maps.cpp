@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <mutex>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -161,12 +160,9 @@ void take_attribute(std::optional<double>& given,
     return;
   const std::optional<double> number =
       if_readable([&] { return dataset.number_attribute(key); });
-  if (given && number)
-    throw input::InputError(fmt::format(
-        "surface.{} = {:.6g} m, but must be left out: {} gives it as an "
-        "attribute",
-        key, *given, path));
-  if (!given && !number)
+  if (number)
+    refuse_given(key, given, path + " gives it as an attribute");
+  else if (!given)
     throw input::InputError(
         fmt::format("surface.{0} is missing: the attribute {0} of {1} is not "
                     "one number",
@@ -193,32 +189,13 @@ void take_height_unit(std::optional<double>& given,
         fmt::format("{}: the dataset is in '{}', but heights must be in one of "
                     "{}",
                     path, printable(text), known_length_units()));
-  if (given)
-    throw input::InputError(fmt::format(
-        "surface.height_unit = {:.6g} m, but must be left out: {} gives the "
-        "unit '{}'",
-        *given, path, printable(text)));
+  refuse_given("height_unit", given,
+               fmt::format("{} gives the unit '{}'", path, printable(text)));
   given = unit;
 }
 
 std::string name_of(const std::string& path, const std::string& dataset) {
   return path + ": " + printable(dataset);
-}
-
-/// Returns read(file), after a trial in a child process: the packaged library
-/// has memory errors that a damaged file can trigger.
-template <class Read>
-auto read_safely(const std::string& path, const Read& read) {
-  const auto read_file = [&] {
-    const std::lock_guard lock(results::hdf5_mutex());
-    return read(results::Hdf5File(path, results::Hdf5File::Mode::read));
-  };
-  results::require_readable(path, [&] { (void)read_file(); });
-  try {
-    return read_file();
-  } catch (const results::Hdf5Error& error) {
-    throw input::InputError(error.what());
-  }
 }
 
 std::vector<ChannelInfo> datasets_of(const results::Hdf5File& file) {
@@ -251,10 +228,11 @@ Scan read_hdf5_map(const MapBytes& bytes, const ScanRequest& request) {
   require_file(bytes);
   const std::string& path = bytes.name();
   MapScale scale;
-  Scan numbers = read_safely(path, [&](const results::Hdf5File& file) {
-    scale = request.scale;
-    return dataset_of(file, path, request.channel, scale);
-  });
+  Scan numbers =
+      results::read_any_hdf5(path, [&](const results::Hdf5File& file) {
+        scale = request.scale;
+        return dataset_of(file, path, request.channel, scale);
+      });
   const std::string name = name_of(path, numbers.channel);
   return scan_of_matrix(std::move(numbers), name, "an HDF5 dataset",
                         request.format, scale);
@@ -262,7 +240,7 @@ Scan read_hdf5_map(const MapBytes& bytes, const ScanRequest& request) {
 
 std::vector<ChannelInfo> hdf5_channels(const MapBytes& bytes) {
   require_file(bytes);
-  return read_safely(bytes.name(), datasets_of);
+  return results::read_any_hdf5(bytes.name(), datasets_of);
 }
 
 } // namespace

@@ -41,7 +41,12 @@ void refuse_infinite(const HeightMap& map, const std::string& name) {
 }
 
 Scan scan_of(const MapBytes& bytes, const ScanRequest& request) {
-  Scan scan = format_of_map(bytes, request.format).heights(bytes, request);
+  const MapFormat& format = format_of_map(bytes, request.format);
+  if (format.scales == FileScales::all)
+    refuse_scale(request.scale, bytes.name());
+  if (format.channels == nullptr)
+    refuse_channel(request, "", bytes.name());
+  Scan scan = format.heights(bytes, request);
   mark_missing_values(scan, request.missing_value);
   refuse_infinite(scan.map, bytes.name());
   if (count_missing(scan) == scan.map.heights.size())

@@ -82,18 +82,20 @@ Grid grid_by_scale(const Grid& points, const std::string& name,
   return grid;
 }
 
+void refuse_given(const char* key, const std::optional<double>& value,
+                  const std::string& why) {
+  if (value)
+    throw input::InputError(fmt::format(
+        "surface.{} = {:.6g} m, but must be left out: {}", key, *value, why));
+}
+
 void refuse_scale(const MapScale& scale, const std::string& name) {
-  const std::pair<const char*, const std::optional<double>*> keys[] = {
-      {"length", &scale.length},
-      {"length_y", &scale.length_y},
-      {"length_unit", &scale.length_unit},
-      {"height_unit", &scale.height_unit}};
-  for (const auto& [key, value] : keys)
-    if (*value)
-      throw input::InputError(
-          fmt::format("surface.{} = {:.6g} m, but must be left out: {} itself "
-                      "gives its lengths and its unit of height",
-                      key, **value, name));
+  const std::string why =
+      name + " itself gives its lengths and its unit of height";
+  refuse_given("length", scale.length, why);
+  refuse_given("length_y", scale.length_y, why);
+  refuse_given("length_unit", scale.length_unit, why);
+  refuse_given("height_unit", scale.height_unit, why);
 }
 
 void refuse_channel(const ScanRequest& request, const std::string& channel,

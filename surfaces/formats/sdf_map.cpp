@@ -192,15 +192,11 @@ SdfHeader take_sdf_header(std::string_view& rest, const std::string& name,
 void take_sdf_numbers(std::string_view text, std::size_t most,
                       const std::string& name, int line,
                       std::vector<double>& numbers) {
-  std::size_t at = 0;
-  while ((at = text.find_first_not_of(" \t", at)) != std::string_view::npos) {
-    const std::size_t end =
-        std::min(text.find_first_of(" \t", at), text.size());
+  for (const std::string_view word : words_of(text, " \t")) {
     if (numbers.size() == most)
       refuse_line(name, line,
                   fmt::format("more than the {} numbers of the header", most));
-    numbers.push_back(sdf_number(text.substr(at, end - at), name, line));
-    at = end;
+    numbers.push_back(sdf_number(word, name, line));
   }
 }
 
@@ -230,9 +226,7 @@ bool is_sdf(std::string_view bytes) {
   });
 }
 
-Scan read_sdf(const MapBytes& bytes, const ScanRequest& request) {
-  refuse_scale(request.scale, bytes.name());
-  refuse_channel(request, "", bytes.name());
+Scan read_sdf(const MapBytes& bytes, const ScanRequest&) {
   return bytes.beginning().starts_with('b')
              ? read_binary_sdf(bytes)
              : read_sdf_text(bytes.all(), bytes.name());

@@ -185,7 +185,7 @@ std::vector<double> sur_heights(const SurHeader& header,
   return heights;
 }
 
-Scan read_sur(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_sur(const MapBytes& bytes, const ScanRequest&) {
   const std::string& name = bytes.name();
   const std::string_view file = bytes.all();
   if (file.starts_with("DSCOMPRESSED"))
@@ -198,8 +198,6 @@ Scan read_sur(const MapBytes& bytes, const ScanRequest& request) {
                                    "begin with DIGITAL SURF");
   const SurHeader header = sur_header(file, name);
   check_sur(header, file.size(), name);
-  refuse_channel(request, "", name);
-  refuse_scale(request.scale, name);
   const Grid grid{header.columns, header.rows,
                   header.unit[sur_x] * header.step[sur_x] * header.columns,
                   header.unit[sur_y] * header.step[sur_y] * header.rows};

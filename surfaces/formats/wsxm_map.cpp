@@ -145,7 +145,7 @@ double wsxm_height_unit(const WsxmHeader& header, const WsxmType& type,
   return unit;
 }
 
-Scan read_wsxm(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_wsxm(const MapBytes& bytes, const ScanRequest&) {
   const std::string& name = bytes.name();
   const std::string_view file = bytes.all();
   if (!file.starts_with("WSxM file"))
@@ -164,8 +164,6 @@ Scan read_wsxm(const MapBytes& bytes, const ScanRequest& request) {
         "'{}' have {}",
         name, available, columns, rows, type.name,
         static_cast<std::uintmax_t>(columns * rows) * type.bytes));
-  refuse_channel(request, "", name);
-  refuse_scale(request.scale, name);
   const Grid grid{static_cast<int>(columns), static_cast<int>(rows),
                   header.length("[Control] X Amplitude"),
                   header.length("[Control] Y Amplitude")};

@@ -426,10 +426,8 @@ bool is_x3p(std::string_view bytes) {
          bytes.find("main.xml") != std::string_view::npos;
 }
 
-Scan read_x3p(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_x3p(const MapBytes& bytes, const ScanRequest&) {
   const std::string& name = bytes.name();
-  refuse_scale(request.scale, name);
-  refuse_channel(request, "", name);
   ZipArchive archive(bytes.all(), name);
   archive.enter_folder_of("main.xml"); // some programs pack a folder
   const std::string text = archive.member("main.xml");

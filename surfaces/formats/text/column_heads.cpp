@@ -5,7 +5,6 @@
 #include "surfaces/formats/length_units.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 
 namespace asperity::surfaces {
@@ -26,14 +25,6 @@ std::vector<std::string> cells_of_blanks(const std::string& line) {
   return cells;
 }
 
-std::vector<std::string> words_in(const std::string& line) {
-  std::istringstream text(line);
-  std::vector<std::string> words;
-  for (std::string word; text >> word;)
-    words.push_back(word);
-  return words;
-}
-
 std::vector<std::string> cells_of_head(const std::string& line,
                                        std::size_t columns) {
   if (columns == 1)
@@ -42,9 +33,9 @@ std::vector<std::string> cells_of_head(const std::string& line,
     return quoted_cells(line);
   std::vector<std::string> cells = cells_of_blanks(line);
   if (cells.size() != columns)
-    if (std::vector<std::string> words = words_in(line);
+    if (const auto words = words_of(line, " \t\r\n\v\f");
         words.size() == columns)
-      return words;
+      return {words.begin(), words.end()};
   return cells;
 }
 

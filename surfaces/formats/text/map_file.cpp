@@ -42,11 +42,9 @@ double header_height_unit(const NumberTable& table, const CommentLine& line,
           table.name));
     return *scale.height_unit;
   }
-  if (scale.height_unit)
-    throw input::InputError(fmt::format(
-        "surface.height_unit = {:.6g} m, but must be left out: line {} of {} "
-        "gives '{}'",
-        *scale.height_unit, line.line, table.name, printable(line.text)));
+  refuse_given("height_unit", scale.height_unit,
+               fmt::format("line {} of {} gives '{}'", line.line, table.name,
+                           printable(line.text)));
   const std::optional<double> metres = length_unit(line.text);
   if (!metres)
     refuse_line(table.name, line.line,
@@ -72,12 +70,9 @@ TextMatrix gwyddion_matrix(const NumberTable& table, const Grid& points,
   for (const auto& [key, value] : {std::pair("length", scale.length),
                                    std::pair("length_y", scale.length_y),
                                    std::pair("length_unit", scale.length_unit)})
-    if (value)
-      throw input::InputError(fmt::format(
-          "surface.{} = {:.6g} m, but must be left out: line {} of {} gives "
-          "'{}'",
-          key, *value, header.width.line, table.name,
-          printable(header.width.text)));
+    refuse_given(key, value,
+                 fmt::format("line {} of {} gives '{}'", header.width.line,
+                             table.name, printable(header.width.text)));
   return {grid,
           header.channel.text,
           "own reader of Gwyddion text",
@@ -89,13 +84,11 @@ TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
   MatrixHeader header = matrix_header(table);
   const auto take = [&](std::optional<double>& given, const char* key,
                         const std::optional<double>& found) {
-    if (given && found)
-      throw input::InputError(fmt::format(
-          "surface.{} = {:.6g} m, but must be left out: the header of {} gives "
-          "it",
-          key, *given, table.name));
-    if (found)
-      given = found;
+    if (!found)
+      return;
+    refuse_given(key, given,
+                 fmt::format("the header of {} gives it", table.name));
+    given = found;
   };
   if (header.cell_size) {
     if (!scale.length_unit)
@@ -107,11 +100,10 @@ TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
     const double cell = *header.cell_size * *scale.length_unit;
     header.length_x = cell * points.points_x;
     header.length_y = cell * points.points_y;
-  } else if (scale.length_unit) {
-    throw input::InputError(fmt::format(
-        "surface.length_unit = {:.6g} m, but must be left out: {} is a matrix, "
-        "and only a list x y z has columns x and y",
-        *scale.length_unit, table.name));
+  } else {
+    refuse_given("length_unit", scale.length_unit,
+                 table.name + " is a matrix, and only a list x y z has columns "
+                              "x and y");
   }
   take(scale.length, "length", header.length_x);
   take(scale.length_y, "length_y", header.length_y);

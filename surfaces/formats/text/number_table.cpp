@@ -54,19 +54,6 @@ bool is_missing_word(std::string_view word) {
          std::end(words);
 }
 
-std::vector<std::string_view> words_of(std::string_view line,
-                                       std::string_view between) {
-  std::vector<std::string_view> words;
-  std::size_t at = 0;
-  while ((at = line.find_first_not_of(between, at)) != std::string_view::npos) {
-    const std::size_t end =
-        std::min(line.find_first_of(between, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
-
 /// The separator of a line of quoted cells: the first of semicolon, tab and
 /// comma that it has outside of the quotes.
 char separator_of_quoted(std::string_view line) {
@@ -85,6 +72,19 @@ char separator_of_quoted(std::string_view line) {
 }
 
 } // namespace
+
+std::vector<std::string_view> words_of(std::string_view line,
+                                       std::string_view between) {
+  std::vector<std::string_view> words;
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(between, at)) != std::string_view::npos) {
+    const std::size_t end =
+        std::min(line.find_first_of(between, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
 
 std::vector<std::string> quoted_cells(std::string_view line) {
   const char separator = separator_of_quoted(line);

@@ -114,6 +114,10 @@ private:
 /// outside of quotes.
 std::vector<std::string> quoted_cells(std::string_view line);
 
+/// Returns the parts of a line that have none of the characters `between`.
+std::vector<std::string_view> words_of(std::string_view line,
+                                       std::string_view between);
+
 /// Calls take(line) for the lines of a text, which end with LF, CR LF or CR,
 /// until it returns false.
 void each_line(std::string_view text,

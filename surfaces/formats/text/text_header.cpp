@@ -243,11 +243,7 @@ private:
   /// @return  whether the line has no other words
   bool take_counts(const CommentLine& comment) const {
     bool is_complete = !comment.text.empty();
-    std::string_view rest = comment.text;
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find(' '), rest.size());
-      const std::string_view word = rest.substr(0, end);
-      rest.remove_prefix(std::min(end + 1, rest.size()));
+    for (const std::string_view word : words_of(comment.text, " ")) {
       const bool is_rows = word.starts_with("h=");
       if (!is_rows && !word.starts_with("w=")) {
         is_complete = false;
