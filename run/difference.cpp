@@ -115,23 +115,16 @@ public:
   void compare() {
     compare_surfaces();
     for (const MethodRecord& method : one_.methods)
-      if (const MethodRecord* same = find(other_, method.name))
+      if (const MethodRecord* same = other_.method(method.name))
         compare_method(method, *same);
       else
         difference_.missing.push_back({method.name, "present", ""});
     for (const MethodRecord& method : other_.methods)
-      if (find(one_, method.name) == nullptr)
+      if (one_.method(method.name) == nullptr)
         difference_.missing.push_back({method.name, "", "present"});
   }
 
 private:
-  static const MethodRecord* find(const Result& result,
-                                  const std::string& name) {
-    const auto found =
-        std::ranges::find(result.methods, name, &MethodRecord::name);
-    return found == result.methods.end() ? nullptr : &*found;
-  }
-
   void note(MethodDifference& method, const NumberDifference& row) const {
     ++method.rows;
     if (row.relative > method.largest.relative)

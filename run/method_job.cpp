@@ -217,27 +217,20 @@ void MethodJob::describe_found(const std::string& found) {
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
   const cases::Case& contact_case = context_.contact_case;
-  const bool by_formula = !method_.needs_surface();
+  const auto& settings = std::get<mechanics::TheorySettings>(method_.settings);
   const CpuClock clock;
-  const theory::HeightSpectrum spectrum =
-      by_formula
-          ? methods::formula_of_case(contact_case, method_)
-          : methods::spectrum_of(context_.surfaces.of(method_, realization_));
-  const mechanics::Scales scales =
-      by_formula ? methods::formula_scales(contact_case, spectrum)
-                 : context_.surfaces.of(method_, realization_).scales;
-  std::vector<CurvePoint> rows = methods::theory_rows(
-      std::get<mechanics::TheorySettings>(method_.settings), contact_case.load,
-      spectrum, scales);
+  const methods::TheoryInput input = methods::theory_input(
+      contact_case, method_, context_.surfaces, realization_);
+  std::vector<CurvePoint> rows =
+      methods::theory_rows(settings, contact_case.load, input);
   const double setup_time = clock.seconds();
   std::erase_if(rows, [&](const CurvePoint& row) {
     return std::ranges::find(steps, static_cast<std::size_t>(row.step)) ==
            steps.end();
   });
-  const auto& settings = std::get<mechanics::TheorySettings>(method_.settings);
   if (settings.loss_factor == mechanics::LossFactor::yang_persson) {
-    const theory::PerssonContact contact(spectrum, scales.contact_modulus,
-                                         settings.gamma);
+    const theory::PerssonContact contact(
+        input.spectrum, input.scales.contact_modulus, settings.gamma);
     for (CurvePoint& row : rows)
       studies::evaluate_studies(contact_case, contact, row);
   }
@@ -249,7 +242,7 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
     ++context_.tally.computed_steps;
     context_.tally.failed_steps += has_failed(row);
     context_.progress.step_done(method_.name, realization_, row,
-                                scales.rms_height);
+                                input.scales.rms_height);
   }
 }
 

@@ -49,6 +49,18 @@ std::string remaining_text(const std::optional<double>& seconds) {
                  : "time left unknown";
 }
 
+std::string remaining_text(std::chrono::steady_clock::time_point begin,
+                           std::size_t done, std::size_t all) {
+  constexpr double least = 10.0; // [s]
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+          .count();
+  return done >= all || elapsed < least
+             ? ""
+             : remaining_text(elapsed / static_cast<double>(done) *
+                              static_cast<double>(all - done));
+}
+
 double share_done(double residual, double tolerance) {
   if (!(residual > 0.0 && residual < 1.0 && tolerance > 0.0 && tolerance < 1.0))
     return 0.0;

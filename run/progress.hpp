@@ -23,6 +23,11 @@ std::string time_text(double seconds);
 /// Formats what is left: "about 4 min left", or "time left unknown".
 std::string remaining_text(const std::optional<double>& seconds);
 
+/// The same of equal pieces of work since `begin`; "" within the first ten
+/// seconds and at the end.
+std::string remaining_text(std::chrono::steady_clock::time_point begin,
+                           std::size_t done, std::size_t all);
+
 /// Returns the part of an iteration that is done, 0 to 1: the orders of
 /// magnitude by which its residual, which was about 1, has fallen, over those
 /// of the tolerance. It is 0 if the residual is not known.

@@ -38,12 +38,15 @@ reports::Summary write_outputs(const fs::path& folder, bool has_pdf) {
   reports::ReportEntry entry = reports::entry_of(result, contact_case);
   write_file_atomically(folder / "curves.csv", results::curves_csv(result));
   write_file_atomically(folder / "times.csv", results::times_csv(result));
-  const std::vector<std::string> failures = reports::write_report(
-      {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf});
-  for (const std::string& failure : failures)
-    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  print_undrawn(reports::write_report({&entry, 1}, folder, "gnuplot",
+                                      {.has_pdf = has_pdf}));
   fmt::print("{}", reports::warning_lines(result, contact_case));
   return entry.summary;
+}
+
+void print_undrawn(const std::vector<std::string>& figures) {
+  for (const std::string& figure : figures)
+    fmt::print(stderr, "figure not drawn: {}\n", figure);
 }
 
 void JsonAnswer::add(const std::string& name, const fs::path& folder,

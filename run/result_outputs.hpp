@@ -24,6 +24,9 @@ reports::Summary summary_of(const results::Result& result);
 reports::Summary write_outputs(const std::filesystem::path& folder,
                                bool has_pdf = false);
 
+/// Prints which figures of a report could not be drawn, as errors.
+void print_undrawn(const std::vector<std::string>& figures);
+
 /// Collects what `run --json` and `check --json` print.
 class JsonAnswer {
 public:

@@ -174,13 +174,7 @@ void Run::record_own_surface(const MethodSpec& method, int realization) {
 }
 
 void Run::warn() const {
-  for (const std::string& warning :
-       cases::locking_warnings(case_.material, methods_))
-    fmt::print(stderr, "warning: {}\n", warning);
-  for (const std::string& warning :
-       cases::interpolation_warnings(case_, methods_))
-    fmt::print(stderr, "warning: {}\n", warning);
-  for (const std::string& warning : cases::omission_warnings(case_, methods_))
+  for (const std::string& warning : cases::warnings_about(case_, methods_))
     fmt::print(stderr, "warning: {}\n", warning);
   for (const MethodSpec& method : methods_)
     for (const cases::Omission& one : cases::omissions(case_, method))
@@ -398,7 +392,7 @@ Grid require_runnable(const cases::Case& contact_case,
 RunOutcome run_case(const cases::Case& contact_case,
                     const RunOptions& options) {
   const std::vector<MethodSpec> methods =
-      methods::chosen_methods(contact_case, options.methods, options.is_exact);
+      methods::chosen_methods(contact_case, options.methods);
   const Grid grid = require_runnable(contact_case, methods);
   require_memory(contact_case, options);
   return run_together(contact_case, options, methods, grid);
@@ -408,12 +402,14 @@ void follow_run(const std::string& text) {
   const nlohmann::ordered_json run = json_of_text(text);
   const cases::Case contact_case =
       cases::read_case_text(run.at("case"), run.at("path"));
-  RunOptions options{run.at("folder").get<std::string>(), run.at("methods"),
-                     false, run.at("threads")};
+  RunOptions options{run.at("folder").get<std::string>(),
+                     {run.at("methods"), true},
+                     false,
+                     run.at("threads")};
   options.realizations = run.at("realizations").get<std::set<int>>();
   RootWork root(&fem::load_fem_module().rank_group());
   Run(contact_case, options,
-      methods::chosen_methods(contact_case, options.methods, true), root)
+      methods::chosen_methods(contact_case, options.methods), root)
       .execute();
 }
 

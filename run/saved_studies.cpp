@@ -2,6 +2,7 @@
 
 #include "input/input_error.hpp"
 #include "input/reader/read_case.hpp"
+#include "reports/analysis/summary.hpp"
 #include "results/types/curve_columns.hpp"
 #include "run/methods/methods.hpp"
 #include "studies/study.hpp"
@@ -44,14 +45,6 @@ void require_new_study(const cases::Case& contact_case,
                   asked.substr(0, asked.find('=')), allowed));
 }
 
-/// The surface of realisation 0 of a method; null without one.
-const results::SurfaceRecord* pressed_by(const results::Result& result,
-                                         const results::Curve& curve) {
-  if (curve.own_surface)
-    return &*curve.own_surface;
-  return result.surfaces.empty() ? nullptr : &result.surfaces.front();
-}
-
 /// Sets the columns of a row by the maps of its step.
 void evaluate(studies::Step step, const methods::SurfaceOfCase& surface,
               methods::MethodFactory& factory, CurvePoint& row) {
@@ -67,7 +60,7 @@ void evaluate(studies::Step step, const methods::SurfaceOfCase& surface,
   for (const auto& [column, number] : answers.others())
     column->set(row, number);
   if (!answers.note.empty())
-    row.note += (row.note.empty() ? "" : "; ") + answers.note;
+    row.add_note(answers.note);
 }
 
 /// Evaluates the saved steps of a method.
@@ -148,9 +141,7 @@ int ask_of_saved(results::Result& result,
         result.path + ": the study needs load steps that the result does not "
                       "have: state it in the case and run it");
   result.case_text = contact_case.text;
-  methods::Cache none;
-  const methods::CaseKeys keys(contact_case, "", {});
-  methods::MethodFactory factory(contact_case, none, keys);
+  methods::MethodFactory factory(contact_case);
   int evaluated = 0;
   for (std::size_t i = 0; i < result.methods.size(); ++i) {
     results::MethodRecord& record = result.methods[i];
@@ -160,7 +151,7 @@ int ask_of_saved(results::Result& result,
       continue;
     evaluate_theory(contact_case, *method, i, result);
     const results::SurfaceRecord* const pressed =
-        pressed_by(result, record.realizations.front());
+        reports::surface_of(result, record, 0);
     if (pressed == nullptr || !method->has_fields())
       continue;
     const methods::SurfaceOfCase surface{

@@ -101,9 +101,8 @@ namespace {
 void record_map_table(const RunContext& run, const studies::Study& study,
                       const cases::MethodSpec& method,
                       const results::Result& result) {
-  const auto record = std::ranges::find(result.methods, method.name,
-                                        &results::MethodRecord::name);
-  if (record == result.methods.end() || record->realizations.empty())
+  const results::MethodRecord* const record = result.method(method.name);
+  if (record == nullptr || record->realizations.empty())
     return;
   const auto table =
       run.tally.attempt(study.keys().name() + " map, " + method.name, [&] {

@@ -242,8 +242,7 @@ std::vector<cases::MethodSpec> methods_in(const Result& result,
                                           const cases::Case& contact_case) {
   std::vector<cases::MethodSpec> present;
   for (const cases::MethodSpec& method : contact_case.methods)
-    if (std::ranges::find(result.methods, method.name,
-                          &results::MethodRecord::name) != result.methods.end())
+    if (result.method(method.name) != nullptr)
       present.push_back(method);
   return present;
 }

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -36,10 +35,8 @@ std::string toml_of(const input::CaseOption& option, const std::string& value) {
                          key->dimension == input::Dimension::none;
   if (!is_number)
     return cases::toml_value(value);
-  double number = 0.0; // ".5", which TOML does not know
-  const char* const end = value.data() + value.size();
-  const auto read = std::from_chars(value.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end)
+  const auto [number, rest] = number_and_rest(value); // ".5" is not TOML
+  if (!rest.empty() || std::isnan(number))
     throw input::InputError(
         fmt::format("{} = \"{}\", but must be a number, as in {}", option.name,
                     printable(value), option.with(option.example)));

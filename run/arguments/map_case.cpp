@@ -177,6 +177,18 @@ void add_maps_in(const std::string& folder, NamedMaps& maps) {
   maps.folders.push_back(folder);
 }
 
+/// Whether a refusal to read a map names what the map needs; otherwise it is
+/// none.
+bool is_of_a_map(const std::string& refusal) {
+  return refusal.starts_with("surface.") ||
+         std::ranges::any_of(std::array{"--missing-value",
+                                        "surface.max_missing", "surface.fill",
+                                        "surface.cut_off"},
+                             [&](const char* key) {
+                               return refusal.find(key) != refusal.npos;
+                             });
+}
+
 } // namespace
 
 bool is_map_file(const std::string& word) {
@@ -225,16 +237,6 @@ std::optional<double> contact_modulus_of(const CaseOptions& options) {
   }
 }
 
-bool is_of_a_map(const std::string& refusal) {
-  return refusal.starts_with("surface.") ||
-         std::ranges::any_of(std::array{"--missing-value",
-                                        "surface.max_missing", "surface.fill",
-                                        "surface.cut_off"},
-                             [&](const char* key) {
-                               return refusal.find(key) != refusal.npos;
-                             });
-}
-
 NamedMaps maps_among(const std::vector<std::string>& words) {
   NamedMaps maps;
   for (const std::string& word : words) {
@@ -250,36 +252,47 @@ NamedMaps maps_among(const std::vector<std::string>& words) {
   return maps;
 }
 
-std::pair<double, double> examine_maps(NamedMaps& maps,
-                                       mechanics::SurfaceSpec surface) {
-  std::pair<double, double> slopes{std::numeric_limits<double>::infinity(),
-                                   0.0};
+void read_each(NamedMaps& maps,
+               const std::function<void(const fs::path&)>& read) {
   std::vector<std::string> refusals;
   std::vector<std::string> no_maps;
-  std::vector<fs::path> read;
-  for (const fs::path& file : maps.files) {
-    surface.file = file.string();
+  std::vector<fs::path> found;
+  for (const fs::path& file : maps.files)
     try {
-      const double slope =
-          surfaces::statistics(
-              surfaces::with_edges(surfaces::levelled_map(surface),
-                                   surfaces::continuation_of(surface)))
-              .rms_slope;
-      slopes.first = std::min(slopes.first, slope);
-      slopes.second = std::max(slopes.second, slope);
-      read.push_back(file);
+      read(file);
+      found.push_back(file);
     } catch (const input::InputError& error) {
       const std::string refusal = error.what();
       const bool may_be_left = !maps.folders.empty() && !is_of_a_map(refusal);
       (may_be_left ? no_maps : refusals).push_back(refusal);
     }
-  }
-  if (read.empty() && refusals.empty())
+  if (found.empty() && refusals.empty())
     refusals = std::exchange(no_maps, {});
   if (!refusals.empty())
     throw input::InputError(fmt::format("{}", fmt::join(refusals, "\n")));
-  maps.files = std::move(read);
+  maps.files = std::move(found);
   std::ranges::move(no_maps, std::back_inserter(maps.left_out));
+}
+
+void print_left_out(const NamedMaps& maps) {
+  for (const std::string& one : maps.left_out)
+    fmt::print(stderr, "left out, no map: {}\n", one);
+}
+
+std::pair<double, double> examine_maps(NamedMaps& maps,
+                                       mechanics::SurfaceSpec surface) {
+  std::pair<double, double> slopes{std::numeric_limits<double>::infinity(),
+                                   0.0};
+  read_each(maps, [&](const fs::path& file) {
+    surface.file = file.string();
+    const double slope =
+        surfaces::statistics(
+            surfaces::with_edges(surfaces::levelled_map(surface),
+                                 surfaces::continuation_of(surface)))
+            .rms_slope;
+    slopes.first = std::min(slopes.first, slope);
+    slopes.second = std::max(slopes.second, slope);
+  });
   return slopes;
 }
 

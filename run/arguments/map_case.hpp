@@ -8,6 +8,7 @@
 #include "run/arguments/case_options.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -43,10 +44,6 @@ mechanics::SurfaceSpec map_surface(const std::string& file,
 /// @throws input::InputError  a mistake in them
 std::optional<double> contact_modulus_of(const CaseOptions& options);
 
-/// Whether a refusal to read a map names what the map needs; otherwise it is
-/// none.
-bool is_of_a_map(const std::string& refusal);
-
 /// The maps that the words of a command name.
 struct NamedMaps {
   std::vector<std::filesystem::path> files;
@@ -62,14 +59,21 @@ struct NamedMaps {
 ///                            meant as one and is no file: a link to nothing
 NamedMaps maps_among(const std::vector<std::string>& words);
 
-/// Reads every map. Files of a folder that are no maps are moved from
-/// `maps.files` to `maps.left_out`, with the reason; all other refusals are
-/// thrown at once.
-/// @param surface  what the case of each map says about it
-/// @return  the smallest and the largest rms slope
+/// Calls read(file) for every map. Files of a folder that are no maps are moved
+/// from `maps.files` to `maps.left_out`, with the reason; all other refusals
+/// are thrown at once.
 /// @throws input::InputError  a map that was named by itself cannot be read, a
 ///                            key or option is missing for one, or no file of
 ///                            a folder is a map
+void read_each(NamedMaps& maps,
+               const std::function<void(const std::filesystem::path&)>& read);
+
+/// Names what is left out on standard error.
+void print_left_out(const NamedMaps& maps);
+
+/// Reads every map in this way.
+/// @param surface  what the case of each map says about it
+/// @return  the smallest and the largest rms slope
 std::pair<double, double> examine_maps(NamedMaps& maps,
                                        mechanics::SurfaceSpec surface);
 

@@ -4,6 +4,7 @@
 #include "base/special_numbers.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/halfspace.hpp"
+#include "reports/analysis/summary.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
@@ -81,9 +82,7 @@ private:
       return;
     }
     const results::SurfaceRecord* surface =
-        curve.own_surface                       ? &*curve.own_surface
-        : realization < result_.surfaces.size() ? &result_.surfaces[realization]
-                                                : nullptr;
+        reports::surface_of(result_, method, realization);
     if (surface == nullptr || !surface->has_heights() ||
         !(curve.fields.front().grid == surface->grid)) {
       as_submitted(method, "no heights are saved on the grid of its fields");

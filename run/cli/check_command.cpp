@@ -26,18 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Options of `asperity check`. All but the first two concern targets that are
-/// cases.
+/// Options of `asperity check`.
 struct CheckCommand {
   std::vector<std::string> targets; ///< results (file or folder), or cases
   std::string junit;                ///< file for JUnit XML; empty: none
-  std::string out;                  ///< as in RunCommand
-  std::vector<std::string> methods;
-  run::CaseOptions options = {};      ///< of maps, bodies, loads and effects
-  std::vector<std::string> overrides; ///< "key.path=value"
-  bool is_quick = false;              ///< apply quick.set of each case
-  int threads = 0;
-  bool uses_cache = true;
+  RunCommand run; ///< of targets that are cases, without their names
 };
 
 /// Throws before anything runs if the JUnit file cannot be written there.
@@ -57,14 +50,14 @@ void require_junit_folder(const std::string& junit) {
 }
 
 /// Throws if an option for cases was given and no target is a case.
-void require_a_case(const CheckCommand& command) {
+void require_a_case(const RunCommand& command) {
   const std::vector<std::string> words = command.options.words();
-  const std::string option = !command.methods.empty()     ? "--methods"
-                             : !words.empty()             ? words.front()
-                             : !command.overrides.empty() ? "--set"
-                             : command.is_quick           ? "--quick"
-                             : !command.out.empty()       ? "--out"
-                                                          : "";
+  const std::string option = !command.methods.names.empty() ? "--methods"
+                             : !words.empty()               ? words.front()
+                             : !command.overrides.empty()   ? "--set"
+                             : command.is_quick             ? "--quick"
+                             : !command.out.empty()         ? "--out"
+                                                            : "";
   if (!option.empty())
     throw input::InputError(option +
                             " applies to cases, which are run, but each target "
@@ -78,7 +71,7 @@ public:
       : command_(command),
         checks_(checks),
         cache_(methods::cache_folder(),
-               command.uses_cache ? methods::cache_size() : 0) {}
+               command.run.uses_cache ? methods::cache_size() : 0) {}
 
   /// Reads the cases among the targets.
   void read() {
@@ -90,7 +83,8 @@ public:
           throw input::InputError(target + ": there is no such file");
         if (!run::is_result(target) && !is_sweep_folder(target)) {
           read.push_back(run::read_named_cases_or_sweep(
-              target, command_.overrides, command_.is_quick, command_.options));
+              target, command_.run.overrides, command_.run.is_quick,
+              command_.run.options));
           words.push_back(target);
         }
       });
@@ -98,7 +92,7 @@ public:
     for (std::size_t i = 0; i < words.size(); ++i)
       to_run_.emplace(words[i], std::move(read[i]));
     if (words.empty() && failed_.empty())
-      require_a_case(command_);
+      require_a_case(command_.run);
   }
 
   void run() {
@@ -125,25 +119,13 @@ private:
   template <class Work>
   void guard(const std::string& target, const Work& work) {
     target_ = target;
-    const auto fail = [&](const std::string& problem, run::ExitCode exit_code) {
-      fmt::print(stderr, "{}\n", problem);
-      checks_.add_problem(target_, problem, exit_code);
-      failed_.insert(target);
-    };
     try {
       work();
-    } catch (const input::InputError& error) {
-      fail(error.what(), run::exit_bad_input);
-    } catch (const std::domain_error& error) {
-      fail(error.what(), run::exit_bad_input);
-    } catch (const UnusableFolder& error) {
-      fail(error.what(), run::exit_bad_input);
-    } catch (const fs::filesystem_error& error) {
-      fail(fmt::format("asperity: {}: {}", error.path1().string(),
-                       error.code().message()),
-           exit_of(error.code()));
     } catch (const std::exception& error) {
-      fail(fmt::format("asperity: {}", error.what()), run::exit_internal);
+      const Failure failure = failure_of(error);
+      fmt::print(stderr, "{}\n", failure.text);
+      checks_.add_problem(target_, failure.text, failure.exit_code);
+      failed_.insert(target);
     }
   }
 
@@ -160,39 +142,25 @@ private:
     }
   }
 
-  void check_sweep(const run::NamedSweep& named) {
-    RunCommand command;
-    command.methods = command_.methods;
-    command.threads = command_.threads;
-    command.uses_cache = command_.uses_cache;
-    check_named_sweep(
-        named, command,
-        folder_of(named.sweep.name, command_.out, command_.targets.size()),
-        checks_);
-  }
-
   void check_cases(const run::NamedCases& named) {
+    const RunCommand& run = command_.run;
+    const std::size_t n_targets = command_.targets.size();
     if (named.sweep) {
-      check_sweep(*named.sweep);
+      check_named_sweep(*named.sweep, run,
+                        folder_of(named.sweep->sweep.name, run.out, n_targets),
+                        checks_);
       is_cut_short_ = run::is_interrupted();
     }
-    const bool is_collection = !named.found.collection.empty();
     for (const run::ReadCase& read : named.cases) {
       target_ = read.found.name;
-      const fs::path folder =
-          is_collection ? folder_of(named.found.collection, command_.out,
-                                    command_.targets.size()) /
-                              read.found.file.parent_path().filename()
-                        : folder_of(read.found.name, command_.out,
-                                    command_.targets.size());
+      const fs::path folder = folder_of_part(named, read, run.out, n_targets);
       const run::OutputFolder lock(folder, "check " + read.found.name,
                                    run::run_outputs(read.contact_case),
                                    run::input_files(read.contact_case));
-      const CaseEnd ended =
-          run_into_folder(read.contact_case,
-                          {folder, command_.methods, false, command_.threads,
-                           read.reference, &cache_},
-                          {});
+      const CaseEnd ended = run_into_folder(
+          read.contact_case,
+          {folder, run.methods, false, run.threads, read.reference, &cache_},
+          {});
       if (ended.outcome.is_interrupted) {
         checks_.add_problem(read.found.name, "interrupted",
                             run::exit_interrupted);
@@ -225,25 +193,13 @@ run::ExitCode check_targets(const CheckCommand& command) {
   run::catch_interrupts();
   Checks checks;
   TargetChecker checker(command, checks);
-  const auto end_by = [&](const std::exception& error,
-                          run::ExitCode exit_code) {
-    checks.add_problem(checker.target(), error.what(), exit_code);
-    checks.end(command.junit);
-  };
   try {
     checker.read();
     checker.run();
-  } catch (const input::InputError& error) { // still report what was found
-    end_by(error, run::exit_bad_input);
-    throw;
-  } catch (const std::domain_error& error) {
-    end_by(error, run::exit_bad_input);
-    throw;
-  } catch (const UnusableFolder& error) {
-    end_by(error, run::exit_bad_input);
-    throw;
-  } catch (const std::exception& error) {
-    end_by(error, run::exit_internal);
+  } catch (const std::exception& error) { // still report what was found
+    checks.add_problem(checker.target(), error.what(),
+                       failure_of(error).exit_code);
+    checks.end(command.junit);
     throw;
   }
   return checks.end(command.junit);
@@ -265,15 +221,15 @@ void add_check(CommandLine& line) {
   command->add_option("--junit", check.junit,
                       "write the outcome to this file as JUnit XML,\n"
                       "however the command ends");
-  add_methods(command, check.methods);
-  add_case_options(command, check.options);
-  add_overrides(command, check.overrides);
-  command->add_option("--out", check.out,
+  add_methods(command, check.run.methods.names);
+  add_case_options(command, check.run.options);
+  add_overrides(command, check.run.overrides);
+  command->add_option("--out", check.run.out,
                       "output folder (default: out/<case>)");
-  add_quick(command, check.is_quick);
-  command->add_flag("!--no-cache", check.uses_cache,
+  add_quick(command, check.run.is_quick);
+  command->add_flag("!--no-cache", check.run.uses_cache,
                     "compute every step; do not read or write the cache");
-  add_threads(command, check.threads);
+  add_threads(command, check.run.threads);
   command->add_flag("--quiet", line.output.is_quiet,
                     "print only expectations that are not met, and\n"
                     "errors");

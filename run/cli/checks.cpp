@@ -1,6 +1,8 @@
 #include "run/cli/checks.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/folder_lock.hpp"
+#include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "run/output.hpp"
 
@@ -9,6 +11,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace asperity::cli {
@@ -30,11 +34,22 @@ run::ExitCode worse(run::ExitCode one, run::ExitCode other) {
   return std::max(one, other);
 }
 
-run::ExitCode exit_of(const std::error_code& error) {
-  return error == std::errc::filename_too_long ||
-                 error == std::errc::too_many_symbolic_link_levels
-             ? run::exit_bad_input
-             : run::exit_internal;
+Failure failure_of(const std::exception& error) {
+  if (const auto* of_file =
+          dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+    const std::error_code& code = of_file->code();
+    return {fmt::format("asperity: {}: {}", of_file->path1().string(),
+                        code.message()),
+            code == std::errc::filename_too_long ||
+                    code == std::errc::too_many_symbolic_link_levels
+                ? run::exit_bad_input
+                : run::exit_internal};
+  }
+  if (dynamic_cast<const input::InputError*>(&error) != nullptr ||
+      dynamic_cast<const std::domain_error*>(&error) != nullptr ||
+      dynamic_cast<const UnusableFolder*>(&error) != nullptr)
+    return {error.what(), run::exit_bad_input};
+  return {fmt::format("asperity: {}", error.what()), run::exit_internal};
 }
 
 void print_verdicts(const reports::Summary& summary) {

@@ -6,9 +6,9 @@
 #include "run/exit_code.hpp"
 #include "run/result_outputs.hpp"
 
+#include <exception>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace asperity::cli {
@@ -17,9 +17,15 @@ namespace asperity::cli {
 /// is more severe than one outside its expected range.
 run::ExitCode worse(run::ExitCode one, run::ExitCode other);
 
-/// The exit code after a failed operation on a file. A name that no file can
-/// have is a mistake of the user.
-run::ExitCode exit_of(const std::error_code& error);
+/// How a command, or one of its targets, ends by an exception.
+struct Failure {
+  std::string text; ///< for the user
+  run::ExitCode exit_code = run::exit_internal;
+};
+
+/// What is refused is bad input, as is the name of a file that no file can
+/// have; all else is an internal error.
+Failure failure_of(const std::exception& error);
 
 /// Prints one line for each verdict, each published value, each method with
 /// load steps that did not converge, and each quantity that could not be

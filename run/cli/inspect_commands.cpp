@@ -28,7 +28,7 @@ struct DescribeCommand {
   std::string contact_case; ///< case file, folder, shipped case, collection or
                             ///< map file
   run::CaseOptions options;
-  std::vector<std::string> methods;
+  methods::AskedMethods methods;
   std::vector<std::string> overrides; ///< "key.path=value"
   bool is_quick = false;              ///< apply quick.set
   int threads = 0;                    ///< for the prediction of the time
@@ -118,7 +118,7 @@ void add_describe(CommandLine& line) {
                    "case file, its folder, shipped case, collection\n"
                    "or measured map")
       ->required();
-  add_methods(command, describe.methods);
+  add_methods(command, describe.methods.names);
   add_case_options(command, describe.options);
   add_overrides(command, describe.overrides);
   add_quick(command, describe.is_quick);

@@ -1,9 +1,7 @@
 // The command line of the program: maps arguments to commands and failures to
 // exit codes.
 #include "base/array_memory.hpp"
-#include "base/folder_lock.hpp"
 #include "base/plain_text.hpp"
-#include "input/input_error.hpp"
 #include "input/nearest.hpp"
 #include "run/arguments/case_library.hpp"
 #include "run/cli/checks.hpp"
@@ -20,8 +18,6 @@
 #include <cstdio>
 #include <exception>
 #include <fcntl.h>
-#include <filesystem>
-#include <stdexcept>
 #include <system_error>
 #include <unistd.h>
 
@@ -121,20 +117,11 @@ int main(int argc, char** argv) {
       throw std::system_error(errno, std::generic_category(),
                               "cannot write standard output");
     return end;
-  } catch (const asperity::UnusableFolder& error) {
-    complain(error.what());
-  } catch (const asperity::input::InputError& error) {
-    complain(error.what());
-  } catch (const std::domain_error& error) {
-    complain(error.what());
-  } catch (const std::filesystem::filesystem_error& error) {
-    complain(fmt::format("asperity: {}: {}", error.path1().string(),
-                         error.code().message()));
-    return asperity::cli::exit_of(error.code());
   } catch (const std::exception& error) {
-    complain(fmt::format("asperity: {}", error.what()));
-    asperity::run::end_at_once_of_several(asperity::run::exit_internal);
-    return asperity::run::exit_internal;
+    const asperity::cli::Failure failure = asperity::cli::failure_of(error);
+    complain(failure.text);
+    if (failure.exit_code == asperity::run::exit_internal)
+      asperity::run::end_at_once_of_several(failure.exit_code);
+    return failure.exit_code;
   }
-  return asperity::run::exit_bad_input;
 }

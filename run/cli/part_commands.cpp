@@ -5,6 +5,7 @@
 #include "input/reader/case_hash.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 #include "results/result_reader.hpp"
+#include "run/child_run.hpp"
 #include "run/cli/case_run.hpp"
 #include "run/cli/checks.hpp"
 #include "run/cli/sweep_commands.hpp"
@@ -56,41 +57,39 @@ std::vector<std::string> run_words(const run::NamedCases& named,
                                    const fs::path& folder) {
   const run::FoundCase& found =
       named.sweep ? named.sweep->found : named.cases.front().found;
-  std::vector<std::string> words{
-      "run", absolute_path(found.file.empty() ? fs::path(command.cases.front())
-                                              : found.file)};
-  const auto add = [&](const std::vector<std::string>& more) {
-    words.insert(words.end(), more.begin(), more.end());
-  };
-  for (const std::string& entry :
-       named.sweep ? named.sweep->overrides : named.cases.front().overrides)
-    add({"--set", entry});
-  for (const std::string& method : command.methods)
-    add({"--methods", method});
-  if (command.is_exact)
-    add({"--exactly"});
+  std::vector<std::string> words = run::words_of_run(
+      absolute_path(found.file.empty() ? fs::path(command.cases.front())
+                                       : found.file),
+      named.sweep ? named.sweep->overrides : named.cases.front().overrides,
+      command.methods);
   if (found.file.empty()) // of other cases they are overrides
-    add(command.options.words());
-  add({"--out", folder.string()});
+    for (std::string& word : command.options.words())
+      words.push_back(std::move(word));
+  words.insert(words.end(), {"--out", folder.string()});
   return words;
 }
 
-run::ExitCode merge_case(const fs::path& folder, bool no_report, bool has_pdf) {
-  run::merge_realizations(folder);
-  if (!no_report)
-    return print_findings(run::write_outputs(folder, has_pdf), folder);
+/// Judges a result only by whether all of its load steps have converged.
+run::ExitCode exit_of_steps(const fs::path& folder) {
   return run::all_converged(
              results::read_result(folder, results::MapsInFile::large))
              ? run::exit_good
              : run::exit_not_converged;
 }
 
+run::ExitCode merge_case(const fs::path& folder, bool no_report, bool has_pdf) {
+  run::merge_realizations(folder);
+  if (!no_report)
+    return print_findings(run::write_outputs(folder, has_pdf), folder);
+  return exit_of_steps(folder);
+}
+
 /// Returns true if one of the methods is parallel over the ranks itself.
 bool has_full_block(const cases::Case& contact_case,
                     const RunCommand& command) {
-  const std::vector<cases::MethodSpec> methods =
-      methods::chosen_methods(contact_case, command.methods, command.is_exact);
-  return std::ranges::any_of(methods, methods::is_full_block);
+  return std::ranges::any_of(
+      methods::chosen_methods(contact_case, command.methods),
+      methods::is_full_block);
 }
 
 /// Predicts the memory of the task that computes the largest part, without a
@@ -100,7 +99,6 @@ double memory_of_task(const run::NamedCases& named,
                       const RunCommand& command) {
   run::RunOptions options{
       {}, command.methods, false, std::max(1, command.threads)};
-  options.is_exact = command.is_exact;
   double most = 0.0;
   if (named.sweep) {
     for (const cases::SweptPoint& point : named.sweep->sweep.points)
@@ -118,8 +116,7 @@ double memory_of_task(const run::NamedCases& named,
 void require_runnable(const run::NamedCases& named, const RunCommand& command) {
   const auto require = [&](const cases::Case& contact_case) {
     (void)run::require_runnable(
-        contact_case, methods::chosen_methods(contact_case, command.methods,
-                                              command.is_exact));
+        contact_case, methods::chosen_methods(contact_case, command.methods));
   };
   for (const run::ReadCase& read : named.cases)
     require(read.contact_case);
@@ -133,16 +130,11 @@ run::ExitCode run_realizations(const run::ReadCase& read,
                                const fs::path& folder,
                                const RunCommand& command,
                                methods::Cache& cache) {
-  run::RunOptions options{folder, command.methods, false, command.threads,
-                          read.reference};
-  options.is_exact = command.is_exact;
-  options.cache = &cache;
-  options.has_report = !command.no_report;
+  run::RunOptions options = options_of(read, folder, command, cache);
   options.realizations = {members.begin(), members.end()};
   const cases::Case& contact_case = read.contact_case;
   const run::EarlierRun earlier = run::earlier_run(
-      contact_case,
-      methods::chosen_methods(contact_case, options.methods, options.is_exact),
+      contact_case, methods::chosen_methods(contact_case, options.methods),
       folder, options.realizations);
   // The parts to be joined are of one text, comments included.
   const bool is_same = earlier.case_hash == cases::case_hash(contact_case);
@@ -152,23 +144,16 @@ run::ExitCode run_realizations(const run::ReadCase& read,
   else if (run_one(contact_case, options, {.is_omitted = true}) ==
            run::exit_interrupted)
     return run::exit_interrupted;
-  return run::all_converged(
-             results::read_result(folder, results::MapsInFile::large))
-             ? run::exit_good
-             : run::exit_not_converged;
+  return exit_of_steps(folder);
 }
 
 run::ExitCode run_points(const run::NamedSweep& named,
                          const std::vector<std::size_t>& members,
                          const fs::path& folder, const RunCommand& command) {
   run::require_own_outputs(folder, run::outputs_of(named));
-  run::SweepRunOptions options{named.found.file, named.overrides,
-                               command.methods,  command.is_exact,
-                               folder,           true,
-                               command.threads,  command.uses_cache};
+  run::SweepRunOptions options = options_of(named, folder, command);
+  options.resume = true;
   options.points = members;
-  options.has_reports = run::is_of_maps(named) && !command.no_report;
-  options.write_case = [&] { run::write_made_case(named); };
   const run::SweepOutcome outcome = run::run_sweep(named.sweep, options);
   return outcome.is_interrupted ? run::exit_interrupted : outcome.worst;
 }
@@ -371,8 +356,8 @@ void add_plan(CommandLine& line) {
                    "time limit of a task, as for sbatch (default: that of\n"
                    "the partition)")
       ->needs(slurm);
-  add_methods(command, run.methods);
-  command->add_flag("--exactly", run.is_exact,
+  add_methods(command, run.methods.names);
+  command->add_flag("--exactly", run.methods.is_exact,
                     "--methods gives full names only");
   add_case_options(command, run.options);
   add_overrides(command, run.overrides);

@@ -134,8 +134,7 @@ run::ExitCode report_results(const ReportCommand& command) {
                                {paths.begin(), paths.end()});
   const std::vector<std::string> failures =
       reports::write_report(read, folder, "gnuplot", extras);
-  for (const std::string& failure : failures)
-    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  run::print_undrawn(failures);
   const run::ExitCode end =
       exit_of_figures(failures, !command.forms.formats.empty());
   fmt::print("report: {}\n", (folder / "report.html").string());

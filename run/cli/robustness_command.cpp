@@ -117,13 +117,11 @@ Results results_of(robustness::InstanceSequence& instances,
           return;
         last_line = now;
         write_table(folder, results);
-        const double elapsed =
-            std::chrono::duration<double>(now - begin).count();
-        const auto n_done = static_cast<double>(results.size());
-        const double n_left = command.instances - n_done;
-        fmt::print("{} of {} problem instances, {}\n", results.size(),
-                   command.instances,
-                   run::remaining_text(elapsed / n_done * n_left));
+        fmt::print(
+            "{} of {} problem instances, {}\n", results.size(),
+            command.instances,
+            run::remaining_text(begin, results.size(),
+                                static_cast<std::size_t>(command.instances)));
         std::fflush(stdout);
       },
       [](const Instance& instance) {

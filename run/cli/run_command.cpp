@@ -34,21 +34,20 @@
 #include <utility>
 
 namespace asperity::cli {
-namespace {
-
-namespace fs = std::filesystem;
-
-run::RunOptions options_of(const run::ReadCase& read, const fs::path& folder,
+run::RunOptions options_of(const run::ReadCase& read,
+                           const std::filesystem::path& folder,
                            const RunCommand& command, methods::Cache& cache) {
-  run::RunOptions options{folder, command.methods, command.resume,
-                          command.threads, read.reference};
-  options.is_exact = command.is_exact;
+  run::RunOptions options{folder,          command.methods, command.resume,
+                          command.threads, read.reference,  &cache};
   options.has_report = !command.no_report;
-  options.cache = &cache;
   options.ranks = run::n_mpi_ranks();
   options.ranks_on_machine = run::n_ranks_on_machine();
   return options;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// Runs a case at the setting chosen for the target error, then verifies the
 /// error.
@@ -59,8 +58,7 @@ run::ExitCode run_to_target(const run::ReadCase& read,
     throw input::InputError("--target-error needs a case file: asperity new "
                             "NAME --map FILE writes one");
   cases::Case named = read.contact_case;
-  named.methods =
-      methods::chosen_methods(named, options.methods, options.is_exact);
+  named.methods = methods::chosen_methods(named, options.methods);
   bench::TargetRun target(named, read.found.file, read.overrides,
                           options.folder,
                           bench::read_target_error(command.target_error));
@@ -119,8 +117,8 @@ run::ExitCode print_plans(const std::vector<run::NamedCases>& all,
       if (is_for_ranks(named, command)) // each works on other parts of the run
         options.ranks = options.ranks_on_machine = 1;
       const run::Plan plan = run::make_plan(read.contact_case, options);
-      const std::vector<cases::MethodSpec> methods = methods::chosen_methods(
-          read.contact_case, options.methods, options.is_exact);
+      const std::vector<cases::MethodSpec> methods =
+          methods::chosen_methods(read.contact_case, options.methods);
       run::require_surface(read.contact_case, methods,
                            run::grid_of_case(read.contact_case, methods));
       fmt::print("{}{}", run::plan_text(plan, read.contact_case),
@@ -168,9 +166,8 @@ void write_collection_report(const run::FoundCases& collection,
          reports::entry_of(results[i], contact_cases[i])});
   }
   const std::string readme = run::text_of_file(collection.folder / "README.md");
-  for (const std::string& failure :
-       reports::write_paper_report(pages, readme, folder, {.has_pdf = has_pdf}))
-    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  run::print_undrawn(
+      reports::write_paper_report(pages, readme, folder, {.has_pdf = has_pdf}));
   fmt::print("report on all parts: {}\n", (folder / "report.html").string());
 }
 
@@ -199,20 +196,16 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
   const std::size_t n_targets = command.cases.size();
   run::ExitCode end = run::exit_good;
   std::vector<RunPart> parts;
+  const fs::path collection =
+      folder_of(named.found.collection, command.out, n_targets);
   std::optional<run::OutputFolder> collection_lock;
   if (is_collection) {
-    const fs::path folder =
-        folder_of(named.found.collection, command.out, n_targets);
-    collection_lock.emplace(folder, "run " + named.found.collection,
+    collection_lock.emplace(collection, "run " + named.found.collection,
                             run::report_outputs());
-    run::remove_output(folder); // belongs to the parts of the last run
+    run::remove_output(collection); // belongs to the parts of the last run
   }
   for (const run::ReadCase& read : named.cases) {
-    const fs::path folder =
-        is_collection
-            ? folder_of(named.found.collection, command.out, n_targets) /
-                  read.found.file.parent_path().filename()
-            : folder_of(read.found.name, command.out, n_targets);
+    const fs::path folder = folder_of_part(named, read, command.out, n_targets);
     const run::OutputFolder lock(folder, "run " + read.found.name,
                                  run::run_outputs(read.contact_case),
                                  run::input_files(read.contact_case));
@@ -229,10 +222,7 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
       break;
   }
   if (is_collection && !command.no_report)
-    write_collection_report(
-        named.found, parts,
-        folder_of(named.found.collection, command.out, n_targets),
-        command.has_pdf);
+    write_collection_report(named.found, parts, collection, command.has_pdf);
   return end;
 }
 
@@ -265,6 +255,14 @@ fs::path folder_of(const std::string& name, const std::string& out,
   return n_targets == 1 ? fs::path(out) : fs::path(out) / name;
 }
 
+fs::path folder_of_part(const run::NamedCases& named, const run::ReadCase& part,
+                        const std::string& out, std::size_t n_targets) {
+  const std::string& collection = named.found.collection;
+  return collection.empty() ? folder_of(part.found.name, out, n_targets)
+                            : folder_of(collection, out, n_targets) /
+                                  part.found.file.parent_path().filename();
+}
+
 std::vector<run::NamedCases> read_asked(const RunCommand& command) {
   if (!command.against.empty())
     return {read_faces(command)};
@@ -274,8 +272,7 @@ std::vector<run::NamedCases> read_asked(const RunCommand& command) {
     require_other_folder(maps, folder);
     std::vector<run::NamedCases> of_maps{
         run::read_maps(maps, command.overrides, command.options, folder)};
-    for (const std::string& left_out : maps.left_out)
-      fmt::print(stderr, "left out, no map: {}\n", left_out);
+    run::print_left_out(maps);
     return of_maps;
   }
   std::vector<run::NamedCases> all;
@@ -330,7 +327,7 @@ void add_run(CommandLine& line) {
                    "collections (see 'asperity list'), measured maps or\n"
                    "folders of maps")
       ->required();
-  add_methods(command, run.methods);
+  add_methods(command, run.methods.names);
   add_case_options(command, run.options);
   add_overrides(command, run.overrides);
   CLI::Option* against =
@@ -345,7 +342,7 @@ void add_run(CommandLine& line) {
       command->add_option("--target-error", run.target_error,
                           "use the cheapest setting whose predicted error is\n"
                           "smaller, e.g. 1%; a finer run verifies the error");
-  command->add_flag("--exactly", run.is_exact,
+  command->add_flag("--exactly", run.methods.is_exact,
                     "--methods gives full names only: fem does not\n"
                     "include fem.hard");
   command->add_flag("--no-report", run.no_report, "write result.h5 only");

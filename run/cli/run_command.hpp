@@ -6,6 +6,7 @@
 #include "reports/pages/report.hpp"
 #include "run/arguments/named_cases.hpp"
 #include "run/cli/command_line.hpp"
+#include "run/plan/run_options.hpp"
 #include "run/result_outputs.hpp"
 
 #include <cstddef>
@@ -18,14 +19,13 @@ namespace asperity::cli {
 struct RunCommand {
   std::vector<std::string> cases; ///< files, folders or names of shipped cases,
                                   ///< or map files
-  std::vector<std::string> methods;
+  methods::AskedMethods methods;
   std::vector<std::string> overrides; ///< "key.path=value"
   std::string out; ///< empty: out/<case>; with several cases, each gets its own
                    ///< sub-folder
   bool resume = false;
   bool is_quick = false; ///< apply quick.set of each case
   int threads = 0;
-  bool is_exact = false;         ///< `methods` lists names only, no kinds
   std::string target_error = {}; ///< e.g. "1%"; empty: the settings of the case
   bool no_report = false; ///< write result.h5 only, as benchmarks need it
   bool uses_cache = true;
@@ -51,6 +51,12 @@ reports::ReportExtras extras_of(const ReportForms& forms);
 std::filesystem::path folder_of(const std::string& name, const std::string& out,
                                 std::size_t n_targets);
 
+/// Returns the output folder of one case of those that a word names.
+std::filesystem::path folder_of_part(const run::NamedCases& named,
+                                     const run::ReadCase& part,
+                                     const std::string& out,
+                                     std::size_t n_targets);
+
 /// Reads the cases that a command asks for; several maps are one sweep.
 /// @throws input::InputError  as run::read_named_cases_or_sweep(), and for maps
 ///                            in the output folder
@@ -61,6 +67,11 @@ std::vector<run::NamedCases> read_asked(const RunCommand& command);
 /// it is pressed like any map. The case names both files with their SHA-256.
 /// @throws input::InputError  as read_asked(), or a word is no map
 run::NamedCases read_faces(const RunCommand& command);
+
+/// Returns the options by which a command runs a case into a folder.
+run::RunOptions options_of(const run::ReadCase& read,
+                           const std::filesystem::path& folder,
+                           const RunCommand& command, methods::Cache& cache);
 
 /// Runs cases. All cases are read before the first one is run. A collection
 /// gets a report on all of its parts, in out/<collection>, after they have run.

@@ -21,7 +21,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <unistd.h>
@@ -194,26 +193,6 @@ void add_analysis(SurfaceInput input, std::optional<double> tip_radius,
   report.maps.back().warnings = map.warnings;
 }
 
-/// Adds the maps of a folder, and names what is left out, because it is none.
-void add_folder(const run::NamedMaps& maps,
-                const std::function<void(const std::string&)>& add) {
-  std::string refusals;
-  std::vector<std::string> left_out = maps.left_out;
-  for (const fs::path& file : maps.files)
-    try {
-      add(fs::proximate(file).string());
-    } catch (const input::InputError& error) {
-      if (run::is_of_a_map(error.what()))
-        refusals += (refusals.empty() ? "" : "\n") + std::string(error.what());
-      else
-        left_out.emplace_back(error.what());
-    }
-  if (!refusals.empty())
-    throw input::InputError(refusals);
-  for (const std::string& one : left_out)
-    fmt::print(stderr, "left out, no map: {}\n", one);
-}
-
 reports::SurfaceReport analysed(const SurfaceCommand& command) {
   input::Refusals refusals;
   std::optional<double> tip_radius;
@@ -238,11 +217,13 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
   };
   for (const std::string& word : command.inputs)
     refusals.of([&] {
-      if (const run::NamedMaps maps = run::maps_among({word});
-          !maps.folders.empty())
-        add_folder(maps, add);
-      else
-        add(word);
+      run::NamedMaps maps = run::maps_among({word});
+      if (maps.folders.empty())
+        return add(word);
+      run::read_each(maps, [&](const fs::path& file) {
+        add(fs::proximate(file).string());
+      });
+      run::print_left_out(maps);
     });
   refusals.throw_if_any();
   for (surfaces::MapAnalysis& map : report.maps)

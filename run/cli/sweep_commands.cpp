@@ -19,11 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void print_undrawn(const reports::SweepReport& report) {
-  for (const std::string& failure : report.undrawn)
-    fmt::print(stderr, "figure not drawn: {}\n", failure);
-}
-
 /// Prints what is not as expected, and returns the exit code of all points.
 run::ExitCode print_findings(const reports::SweepRecord& record,
                              const reports::SweepReport& report) {
@@ -71,19 +66,17 @@ struct SweepEnd {
 SweepEnd run_to(const run::NamedSweep& named, const RunCommand& command,
                 const fs::path& folder) {
   run::NewOutput output(folder, command.resume, reports::sweep_file);
-  run::SweepRunOptions options{
-      named.found.file, named.overrides, command.methods, command.is_exact,
-      output.place(),   command.resume,  command.threads, command.uses_cache};
-  options.has_reports = run::is_of_maps(named) && !command.no_report;
-  options.write_case = [&] { run::write_made_case(named); };
   fmt::print("{}: {}\n", named.sweep.name, named.sweep.title);
-  SweepEnd ended{run::run_sweep(named.sweep, options), {}, {}};
+  SweepEnd ended{
+      run::run_sweep(named.sweep, options_of(named, output.place(), command)),
+      {},
+      {}};
   if (!command.no_report)
     ended.report = reports::write_sweep_report(
         ended.outcome.record, output.place(), output.place(), true,
         {.has_pdf = command.has_pdf});
   if (ended.report)
-    print_undrawn(*ended.report);
+    run::print_undrawn(ended.report->undrawn);
   if (std::ranges::all_of(
           ended.outcome.record.points,
           [](const reports::PointRecord& one) { return one.problem.empty(); }))
@@ -117,6 +110,17 @@ void add_checks(
 
 } // namespace
 
+run::SweepRunOptions options_of(const run::NamedSweep& named,
+                                const fs::path& folder,
+                                const RunCommand& command) {
+  run::SweepRunOptions options{
+      named.found.file, named.overrides, command.methods,   folder,
+      command.resume,   command.threads, command.uses_cache};
+  options.has_reports = run::is_of_maps(named) && !command.no_report;
+  options.write_case = [&] { run::write_made_case(named); };
+  return options;
+}
+
 bool is_sweep_folder(const fs::path& folder) {
   return fs::exists(folder / reports::sweep_file) &&
          !fs::exists(folder / "result.h5");
@@ -124,7 +128,6 @@ bool is_sweep_folder(const fs::path& folder) {
 
 void print_sweep_plan(const run::NamedSweep& named, const RunCommand& command) {
   run::RunOptions options{{}, command.methods, command.resume, command.threads};
-  options.is_exact = command.is_exact;
   methods::Cache cache(methods::cache_folder(),
                        command.uses_cache ? methods::cache_size() : 0);
   options.cache = &cache;
@@ -182,7 +185,7 @@ run::ExitCode merge_sweep(const fs::path& folder, bool no_report,
     return end;
   const reports::SweepReport report = reports::write_sweep_report(
       record, folder, folder, true, {.has_pdf = has_pdf});
-  print_undrawn(report);
+  run::print_undrawn(report.undrawn);
   end = print_findings(record, report);
   fmt::print("report: {}\n", (folder / "report.html").string());
   return end;
@@ -195,7 +198,7 @@ run::ExitCode report_sweep(const fs::path& folder, const std::string& out,
   const run::OutputFolder lock(target, "report", run::report_outputs());
   const reports::SweepReport report =
       reports::write_sweep_report(record, folder, target, false, extras);
-  print_undrawn(report);
+  run::print_undrawn(report.undrawn);
   fmt::print("report: {}\n", (target / "report.html").string());
   return exit_of_figures(report.undrawn, !extras.journal.endings.empty());
 }

@@ -5,6 +5,7 @@
 #include "run/arguments/named_cases.hpp"
 #include "run/cli/checks.hpp"
 #include "run/cli/run_command.hpp"
+#include "run/sweeps/sweep_run.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,6 +14,12 @@ namespace asperity::cli {
 
 /// Returns true for a folder with the results of a sweep.
 bool is_sweep_folder(const std::filesystem::path& folder);
+
+/// Returns the options by which a command runs the points of a sweep into a
+/// folder. They refer to `named`.
+run::SweepRunOptions options_of(const run::NamedSweep& named,
+                                const std::filesystem::path& folder,
+                                const RunCommand& command);
 
 /// Prints the points of a sweep with what they need.
 void print_sweep_plan(const run::NamedSweep& named, const RunCommand& command);

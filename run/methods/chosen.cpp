@@ -7,36 +7,29 @@
 #include <algorithm>
 
 namespace asperity::methods {
-namespace {
 
 using cases::MethodSpec;
 
-std::string kind_of(const std::string& method_name) {
-  return method_name.substr(0, method_name.find('.'));
-}
-
-} // namespace
-
 std::vector<MethodSpec> chosen_methods(const cases::Case& contact_case,
-                                       const std::vector<std::string>& names,
-                                       bool is_exact) {
+                                       const AskedMethods& asked) {
   std::set<std::string> known;
   for (const MethodSpec& method : contact_case.methods) {
     known.insert(method.name);
-    known.insert(kind_of(method.name));
+    known.insert(cases::kind_of_method(method.name));
   }
-  for (const std::string& name : names)
+  for (const std::string& name : asked.names)
     if (!known.contains(name))
       throw input::InputError(
           "--methods " + name + ": " + contact_case.path +
           " has no such method; nearest: " +
           input::nearest(name, {known.begin(), known.end()}));
+  const auto has = [&](const std::string& name) {
+    return std::ranges::find(asked.names, name) != asked.names.end();
+  };
   std::vector<MethodSpec> chosen;
   for (const MethodSpec& method : contact_case.methods)
-    if (names.empty() ||
-        std::find(names.begin(), names.end(), method.name) != names.end() ||
-        (!is_exact && std::find(names.begin(), names.end(),
-                                kind_of(method.name)) != names.end()))
+    if (asked.names.empty() || has(method.name) ||
+        (!asked.is_exact && has(cases::kind_of_method(method.name))))
       chosen.push_back(method);
   return chosen;
 }

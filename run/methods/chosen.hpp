@@ -13,16 +13,18 @@
 
 namespace asperity::methods {
 
+/// The methods that a run is asked for.
+struct AskedMethods {
+  std::vector<std::string> names = {}; ///< or kinds; empty: all of the case
+  bool is_exact = false; ///< names only: "fem" does not include "fem.hard"
+};
+
 /// Returns the methods that a run uses, in the order of the case.
 ///
-/// @param names     names or kinds of methods; empty: all
-/// @param is_exact  if true, `names` are names only: "fem" does not include
-///                  "fem.hard"
 /// @throws input::InputError  the case has no such method; the message gives
 ///                            the nearest name
-std::vector<cases::MethodSpec>
-chosen_methods(const cases::Case& contact_case,
-               const std::vector<std::string>& names, bool is_exact = false);
+std::vector<cases::MethodSpec> chosen_methods(const cases::Case& contact_case,
+                                              const AskedMethods& asked);
 
 /// Returns the number of realisations for a method: one for a theory that uses
 /// the formula, because all realisations are identical.

@@ -20,10 +20,6 @@
 namespace asperity::methods {
 namespace {
 
-void add_note(results::CurvePoint& row, const std::string& note) {
-  row.note += (row.note.empty() ? "" : "; ") + note;
-}
-
 /// Share of the largest tension of a law from which on a node counts as pulled.
 constexpr double least_tension = 0.01;
 
@@ -48,10 +44,10 @@ void observe_adhesion(results::CurvePoint& row,
   if (std::isfinite(solution.smallest_stiffness)) // not without an open node
     row[columns::smallest_stiffness] = solution.smallest_stiffness;
   if (observation.grid_number > mechanics::accurate_grid_number * (1.0 + 1e-9))
-    add_note(row, fmt::format("the grid resolves the range of the adhesion "
-                              "coarsely: s^2 h/(w E*) = {:.2g} is above {:g}",
-                              observation.grid_number,
-                              mechanics::accurate_grid_number));
+    row.add_note(fmt::format("the grid resolves the range of the adhesion "
+                             "coarsely: s^2 h/(w E*) = {:.2g} is above {:g}",
+                             observation.grid_number,
+                             mechanics::accurate_grid_number));
 }
 
 /// What a hardness adds to a row.
@@ -151,9 +147,9 @@ void distrust_non_finite(StepAnswer& answer) {
     return;
   row.status = results::StepStatus::not_converged;
   if (!has_load)
-    add_note(row, "the mean gap or the nominal pressure is not finite");
+    row.add_note("the mean gap or the nominal pressure is not finite");
   if (!has_maps) {
-    add_note(row, "the fields are not finite and were not saved");
+    row.add_note("the fields are not finite and were not saved");
     free_memory(answer.pressure, answer.gap);
   }
 }

@@ -20,7 +20,8 @@
 namespace asperity::methods {
 namespace {
 
-contact::ContactSolution as_contact(fem::BlockSolution block,
+/// Takes the fields of the block.
+contact::ContactSolution as_contact(fem::BlockSolution& block,
                                     const SurfaceOfCase& surface) {
   const std::vector<double>& heights = surface.record.heights;
   contact::ContactSolution solution;
@@ -34,7 +35,7 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
   solution.gap_error = block.residual * surface.scales.rms_height;
   solution.iterations = block.iterations;
   solution.converged = block.converged;
-  solution.note = std::move(block.note);
+  solution.note = block.note;
   return solution;
 }
 
@@ -80,42 +81,31 @@ public:
   StepAnswer find(const StepTarget& target) override {
     fem::BlockSolution solution =
         block_->solve(surface_.record.heights, target.load, contact_);
-    const double area = solution.area_by_points;
-    const bool resolves_boundary = solution.is_contact_on_grid;
-    results::CurvePoint costs;
-    costs[columns::linear_iterations] = solution.linear_iterations;
-    costs[columns::preconditioner_setups] = solution.preconditioner_setups;
-    costs[columns::memory] = solution.memory;
-    const double estimated_gap_error = solution.estimated_gap_error;
-    const double elastic_energy = solution.elastic_energy;
-    const double contact_energy = solution.contact_energy;
-    const auto of_material = solution.of_material; // by column
-    const auto [centre_x, centre_y] = solution.pressure_centre;
     const Reached reached = reached_by(solution);
-    StepAnswer answer =
-        observe(as_contact(std::move(solution), surface_),
-                {block_->nodal_weights(), contact_.local_compliance(),
-                 area_coefficients(settings_), boundary_modulus_,
-                 resolves_boundary, border_, criterion_, surface_.has_middle},
-                surface_);
+    StepAnswer answer = observe(
+        as_contact(solution, surface_),
+        {block_->nodal_weights(), contact_.local_compliance(),
+         area_coefficients(settings_), boundary_modulus_,
+         solution.is_contact_on_grid, border_, criterion_, surface_.has_middle},
+        surface_);
+    results::CurvePoint& row = answer.row;
     answer.reached = reached;
-    answer.row.area_fraction = area;
-    answer.row[columns::estimated_gap_error] = estimated_gap_error;
-    answer.row.elastic_energy = elastic_energy;
-    answer.row.contact_energy = contact_energy;
-    for (const auto& [column, number] : of_material)
-      results::curve_column(column).set(answer.row, number);
+    row.area_fraction = solution.area_by_points;
+    row[columns::estimated_gap_error] = solution.estimated_gap_error;
+    row.elastic_energy = solution.elastic_energy;
+    row.contact_energy = solution.contact_energy;
+    for (const auto& [column, number] : solution.of_material)
+      results::curve_column(column).set(row, number);
     if (surface_.has_middle) {
-      answer.row[columns::pressure_centre.x] = centre_x;
-      answer.row[columns::pressure_centre.y] = centre_y;
+      row[columns::pressure_centre.x] = solution.pressure_centre[0];
+      row[columns::pressure_centre.y] = solution.pressure_centre[1];
     }
-    if (!resolves_boundary) // quadrature points between the nodes do not
-                            // resolve the contact boundary
-      answer.row.area_fraction_corrected = area;
-    answer.row[columns::linear_iterations] = costs[columns::linear_iterations];
-    answer.row[columns::preconditioner_setups] =
-        costs[columns::preconditioner_setups];
-    answer.row[columns::memory] = costs[columns::memory];
+    if (!solution.is_contact_on_grid) // quadrature points between the nodes do
+                                      // not resolve the contact boundary
+      row.area_fraction_corrected = solution.area_by_points;
+    row[columns::linear_iterations] = solution.linear_iterations;
+    row[columns::preconditioner_setups] = solution.preconditioner_setups;
+    row[columns::memory] = solution.memory;
     answer.row[columns::unknowns] = static_cast<double>(block_->unknowns());
     if (settings_.full.has_stiffness)
       find_stiffness(answer);
@@ -161,8 +151,7 @@ private:
     const fem::ContactStiffness stiffness = block_->stiffness();
     answer.row[columns::linear_iterations] += stiffness.linear_iterations;
     if (!stiffness.converged) {
-      answer.row.note += answer.row.note.empty() ? "" : "; ";
-      answer.row.note += "the stiffness of the contact did not converge";
+      answer.row.add_note("the stiffness of the contact did not converge");
       return;
     }
     answer.row[columns::normal_stiffness] = stiffness.normal;

@@ -78,6 +78,16 @@ MethodFactory::MethodFactory(const cases::Case& contact_case, Cache& cache,
                              const CaseKeys& keys)
     : case_(contact_case), elastic_(contact_case.material, cache, keys) {}
 
+struct MethodFactory::NoCache {
+  Cache cache;
+  CaseKeys keys;
+};
+
+MethodFactory::MethodFactory(const cases::Case& contact_case)
+    : case_(contact_case),
+      none_(new NoCache{{}, CaseKeys(contact_case, "", {})}),
+      elastic_(contact_case.material, none_->cache, none_->keys) {}
+
 std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,
                                                 int realization,

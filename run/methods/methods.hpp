@@ -37,6 +37,9 @@ public:
   MethodFactory(const cases::Case& contact_case, Cache& cache,
                 const CaseKeys& keys);
 
+  /// The same without a cache.
+  explicit MethodFactory(const cases::Case& contact_case);
+
   /// Creates the solver of any method except a theory.
   ///
   /// @param surface  the surface of the method, see CaseSurfaces::of(). It must
@@ -54,7 +57,10 @@ public:
   }
 
 private:
+  struct NoCache;
+
   const cases::Case& case_;
+  std::shared_ptr<NoCache> none_; ///< null: there is one
   SolverFactory elastic_;
 };
 

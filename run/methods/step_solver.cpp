@@ -11,7 +11,7 @@ namespace {
 
 void refuse(results::CurvePoint& row, const std::string& why) {
   row.status = results::StepStatus::not_converged;
-  row.note += (row.note.empty() ? "" : "; ") + why;
+  row.add_note(why);
 }
 
 /// Also if the value or the tolerance is NaN.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 namespace asperity::methods {
 namespace {
@@ -134,13 +135,24 @@ MethodDescription describe(const mechanics::TheorySettings& settings) {
           false};
 }
 
+TheoryInput theory_input(const cases::Case& contact_case,
+                         const cases::MethodSpec& method,
+                         const CaseSurfaces& surfaces, int realization) {
+  if (method.needs_surface()) {
+    const SurfaceOfCase& surface = surfaces.of(method, realization);
+    return {spectrum_of(surface), surface.scales};
+  }
+  theory::HeightSpectrum spectrum = formula_of_case(contact_case, method);
+  const mechanics::Scales scales = formula_scales(contact_case, spectrum);
+  return {std::move(spectrum), scales};
+}
+
 std::vector<results::CurvePoint>
 theory_rows(const mechanics::TheorySettings& settings,
-            const mechanics::LoadingPath& load,
-            const theory::HeightSpectrum& spectrum,
-            const mechanics::Scales& scales) {
+            const mechanics::LoadingPath& load, const TheoryInput& input) {
+  const mechanics::Scales& scales = input.scales;
   const theory::PerssonContact contact =
-      contact_of(settings, spectrum, scales.contact_modulus);
+      contact_of(settings, input.spectrum, scales.contact_modulus);
   std::vector<results::CurvePoint> rows;
   for (std::size_t step = 0; step < load.targets.size(); ++step) {
     const CpuClock clock;

@@ -230,7 +230,7 @@ CaseDescription describe_case(const cases::Case& contact_case,
   description.inputs = methods::input_hashes(contact_case);
   description.control = contact_case.load.control;
   const std::vector<MethodSpec> methods =
-      methods::chosen_methods(contact_case, options.methods, options.is_exact);
+      methods::chosen_methods(contact_case, options.methods);
   for (const MethodSpec& method : methods) {
     const methods::MethodDescription one =
         methods::describe(method, contact_case.material);

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace asperity::run {
 namespace {
 
@@ -19,10 +17,6 @@ using cases::NodeType;
 
 constexpr std::size_t most_letters = 60; ///< of a value in the text
 
-OrderedJson number_json(double number) {
-  return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr);
-}
-
 OrderedJson node_json(const Node& node) {
   OrderedJson value;
   switch (node.type) {
@@ -31,7 +25,7 @@ OrderedJson node_json(const Node& node) {
   case NodeType::integer:
     return node.integer;
   case NodeType::floating:
-    return number_json(node.floating);
+    return node.floating;
   case NodeType::list:
     value = OrderedJson::array();
     for (const Node& one : node.list)
@@ -170,24 +164,20 @@ std::string description_text(const CaseDescription& description,
 }
 
 std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
-  OrderedJson answer = {{"case", contact_case.name},
-                        {"threads", plan.threads},
-                        {"memory [bytes]", number_json(plan.memory)},
-                        {"result [bytes]", number_json(plan.disk)},
-                        {"refusal", refusal_of(plan)},
-                        {"methods", OrderedJson::array()},
-                        {"skipped", OrderedJson::array()},
-                        {"warnings", plan.warnings}};
+  OrderedJson answer = {
+      {"case", contact_case.name},       {"threads", plan.threads},
+      {"memory [bytes]", plan.memory},   {"result [bytes]", plan.disk},
+      {"refusal", refusal_of(plan)},     {"methods", OrderedJson::array()},
+      {"skipped", OrderedJson::array()}, {"warnings", plan.warnings}};
   for (const PlannedMethod& method : plan.methods)
-    answer["methods"].push_back(
-        {{"name", method.name},
-         {"realizations", method.realizations},
-         {"steps", method.steps},
-         {"cached_steps", method.kept_steps},
-         {"points_x", method.grid.points_x},
-         {"points_y", method.grid.points_y},
-         {"unknowns", number_json(method.unknowns)},
-         {"memory [bytes]", number_json(method.memory)}});
+    answer["methods"].push_back({{"name", method.name},
+                                 {"realizations", method.realizations},
+                                 {"steps", method.steps},
+                                 {"cached_steps", method.kept_steps},
+                                 {"points_x", method.grid.points_x},
+                                 {"points_y", method.grid.points_y},
+                                 {"unknowns", method.unknowns},
+                                 {"memory [bytes]", method.memory}});
   for (const results::Skipped& one : plan.skipped)
     answer["skipped"].push_back({{"what", one.what}, {"why", one.why}});
   return text_of_json(answer, 2) + "\n";
@@ -217,12 +207,12 @@ std::string description_json(const CaseDescription& description,
                                                 ? OrderedJson(nullptr)
                                                 : OrderedJson(key.written)}};
   for (const DerivedNumber& number : description.derived)
-    answer["derived"][number.name] = {{"value", number_json(number.value)},
+    answer["derived"][number.name] = {{"value", number.value},
                                       {"unit", number.unit},
                                       {"meaning", number.meaning}};
   for (const DescribedLoad& load : description.loads)
-    answer["loads"].push_back({{"target", number_json(load.target)},
-                               {"reduced", number_json(load.reduced)},
+    answer["loads"].push_back({{"target", load.target},
+                               {"reduced", load.reduced},
                                {"is_unloading", load.is_unloading}});
   for (const DescribedMethod& method : description.methods)
     answer["methods"].push_back({{"name", method.name},

@@ -4,7 +4,6 @@
 #include "fem/plugin.hpp"
 #include "input/input_error.hpp"
 #include "input/reader/locking.hpp"
-#include "input/types/omissions.hpp"
 #include "run/methods/cache/case_keys.hpp"
 #include "run/methods/chosen.hpp"
 #include "run/methods/methods.hpp"
@@ -180,7 +179,7 @@ PlannedMethod planned_method(const cases::Case& contact_case,
 
 Plan make_plan(const cases::Case& contact_case, const RunOptions& options) {
   const std::vector<MethodSpec> methods =
-      methods::chosen_methods(contact_case, options.methods, options.is_exact);
+      methods::chosen_methods(contact_case, options.methods);
   const Grid grid = grid_of_case(contact_case, methods);
   require_computable(contact_case, methods, grid);
   if (const auto& variation = contact_case.material.variation;
@@ -190,12 +189,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options) {
   methods::Cache none;
   methods::Cache& cache = options.cache != nullptr ? *options.cache : none;
   Plan plan;
-  plan.warnings = cases::locking_warnings(contact_case.material, methods);
-  for (std::string& warning :
-       cases::interpolation_warnings(contact_case, methods))
-    plan.warnings.push_back(std::move(warning));
-  for (std::string& warning : cases::omission_warnings(contact_case, methods))
-    plan.warnings.push_back(std::move(warning));
+  plan.warnings = cases::warnings_about(contact_case, methods);
   plan.threads = methods::WorkerPool(options.threads).threads();
   bool uses_fem = false;
   bool uses_block = false;

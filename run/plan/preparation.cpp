@@ -262,7 +262,7 @@ private:
     if (!refused.key.empty())
       return refused.key;
     const std::string name = refused.name.substr(0, refused.name.find(':'));
-    const std::string kind = method_->name.substr(0, method_->name.find('.'));
+    const std::string kind = cases::kind_of_method(method_->name);
     return cases::find_key(kind, name) != nullptr ? "method." + name : name;
   }
 

@@ -91,8 +91,7 @@ std::string lack_of(const fs::path& place, const Part& part) {
   std::size_t n_done = 0;
   std::size_t n_needed = 0;
   for (const cases::MethodSpec& method : contact_case.methods) {
-    if (std::ranges::find(result.methods, method.name,
-                          &results::MethodRecord::name) == result.methods.end())
+    if (result.method(method.name) == nullptr)
       continue;
     for (int r = part.number - 1;
          r < methods::n_realizations(contact_case, method); r += part.count) {

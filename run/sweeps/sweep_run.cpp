@@ -22,8 +22,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <deque>
-#include <fstream>
 #include <mutex>
 #include <set>
 
@@ -32,21 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// Returns the last lines of a log in one line, for messages.
-std::string end_of_log(const fs::path& log) {
-  std::ifstream stream(log);
-  std::deque<std::string> lines;
-  for (std::string line; std::getline(stream, line);)
-    if (!line.empty())
-      lines.push_back(line);
-  constexpr std::size_t most_lines = 3;
-  std::string text;
-  for (std::size_t i = lines.size() - std::min(lines.size(), most_lines);
-       i < lines.size(); ++i)
-    text += (text.empty() ? "" : "; ") + lines[i].substr(0, 300);
-  return text;
-}
 
 class SweepRun {
 public:
@@ -96,13 +79,11 @@ private:
     fs::create_directories(folder);
     const cases::Case& contact_case = sweep_.points[i].contact_case;
     const EarlierRun earlier =
-        options_.resume
-            ? earlier_run(contact_case,
-                          methods::chosen_methods(contact_case,
-                                                  options_.methods,
-                                                  options_.is_exact),
-                          folder)
-            : EarlierRun{};
+        options_.resume ? earlier_run(contact_case,
+                                      methods::chosen_methods(contact_case,
+                                                              options_.methods),
+                                      folder)
+                        : EarlierRun{};
     std::string& hash = outcome_.record.points[i].case_hash;
     if (earlier.state == RunState::complete &&
         (options_.points.empty() || earlier.case_hash == hash)) {
@@ -126,27 +107,21 @@ private:
 
   std::vector<std::string> words_of(std::size_t place, RunState state) const {
     const std::size_t i = chosen_[place];
-    std::vector<std::string> words{
-        "run",       options_.case_file.string(),
-        "--out",     (options_.folder / reports::point_folder(i)).string(),
-        "--threads", std::to_string(threads_of(place))};
-    const auto add = [&](const std::vector<std::string>& more) {
-      words.insert(words.end(), more.begin(), more.end());
-    };
-    for (const std::string& entry : options_.overrides)
-      add({"--set", entry});
-    for (const std::string& entry : sweep_.points[i].overrides)
-      add({"--set", entry});
-    for (const std::string& method : options_.methods)
-      add({"--methods", method});
-    if (options_.is_exact)
-      add({"--exactly"});
+    std::vector<std::string> overrides = options_.overrides;
+    const std::vector<std::string>& own = sweep_.points[i].overrides;
+    overrides.insert(overrides.end(), own.begin(), own.end());
+    std::vector<std::string> words =
+        words_of_run(options_.case_file, overrides, options_.methods);
+    words.insert(words.end(),
+                 {"--out",
+                  (options_.folder / reports::point_folder(i)).string(),
+                  "--threads", std::to_string(threads_of(place))});
     if (!options_.has_reports)
-      add({"--no-report"});
+      words.emplace_back("--no-report");
     if (!options_.uses_cache)
-      add({"--no-cache"});
+      words.emplace_back("--no-cache");
     if (state == RunState::to_resume)
-      add({"--resume"});
+      words.emplace_back("--resume");
     return words;
   }
 
@@ -169,19 +144,10 @@ private:
         : code == exit_not_converged ? "some steps did not converge"
         : !remark.empty()            ? remark
                                      : fmt::format("{:.1f} s", end.wall_time);
-    fmt::print("{:>4}/{} point {:03}  {}  {}{}\n", n_done_, chosen_.size(), i,
-               outcome_.record.label(i), words, remaining_words());
+    const std::string left = remaining_text(start_, n_done_, chosen_.size());
+    fmt::print("{:>4}/{} point {:03}  {}  {}{}{}\n", n_done_, chosen_.size(), i,
+               outcome_.record.label(i), words, left.empty() ? "" : "; ", left);
     std::fflush(stdout);
-  }
-
-  std::string remaining_words() const {
-    const double elapsed =
-        std::chrono::duration<double>(Clock::now() - start_).count();
-    const std::size_t left = chosen_.size() - n_done_;
-    if (left == 0 || elapsed < 10.0)
-      return "";
-    return "; " + remaining_text(elapsed / static_cast<double>(n_done_) *
-                                 static_cast<double>(left));
   }
 
   const cases::CaseSweep& sweep_;
@@ -230,7 +196,6 @@ void write_record(const reports::SweepRecord& record, const fs::path& folder) {
 SweepOutcome run_sweep(const cases::CaseSweep& sweep,
                        const SweepRunOptions& options) {
   RunOptions run{{}, options.methods, options.resume, options.threads};
-  run.is_exact = options.is_exact;
   methods::Cache cache(methods::cache_folder(),
                        options.uses_cache ? methods::cache_size() : 0);
   run.cache = &cache;

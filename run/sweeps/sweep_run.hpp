@@ -20,9 +20,8 @@ namespace asperity::run {
 struct SweepRunOptions {
   std::filesystem::path case_file;
   std::vector<std::string> overrides; ///< with which the sweep was read
-  std::vector<std::string> methods;   ///< names or kinds; empty: all
-  bool is_exact = false;              ///< `methods` lists names only
-  std::filesystem::path folder;       ///< of sweep.json; the caller locks it
+  methods::AskedMethods methods;
+  std::filesystem::path folder; ///< of sweep.json; the caller locks it
   bool resume = false;
   int threads = 0; ///< 0: all hardware threads
   bool uses_cache = true;

@@ -41,8 +41,7 @@ void try_to_add(results::CurvePoint& row, const Add& add) {
   try {
     add();
   } catch (const std::exception& failure) {
-    row.note += (row.note.empty() ? "" : "; ") + std::string("no flow: ") +
-                failure.what();
+    row.add_note(std::string("no flow: ") + failure.what());
   }
 }
 

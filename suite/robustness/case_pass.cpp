@@ -1,6 +1,7 @@
 // Solves the load steps of a case by the library and verifies each of them.
 #include "suite/robustness/case_pass.hpp"
 
+#include "base/maximum.hpp"
 #include "contact/solvers/adhesive.hpp"
 #include "fem/plugin.hpp"
 #include "input/reader/locking.hpp"
@@ -48,7 +49,7 @@ ComplianceRange compliance_range(const Grid& grid, const Displace& displace) {
       wave[i] = std::cos(2.0 * std::numbers::pi * waves *
                          static_cast<double>(i) / grid.points_x);
     displace(wave, answer);
-    const double height = largest(answer);
+    const double height = largest_magnitude(answer);
     range.longest = std::max(range.longest, height);
     range.shortest = std::min(range.shortest, height);
   }
@@ -261,9 +262,7 @@ void SurfacePass::ask() {
   cases::MethodSpec periodic = what_.method;
   if (auto* half = std::get_if<HalfspaceSettings>(&periodic.settings))
     half->has_free_boundaries = false;
-  methods::Cache cache;
-  const methods::CaseKeys keys(what_.contact_case, "", {});
-  methods::MethodFactory other(what_.contact_case, cache, keys);
+  methods::MethodFactory other(what_.contact_case);
   const double scale = contact::adhesive_scale(
       *other.operator_of(periodic, surface_, settings_.threads),
       surface_.record.heights);
@@ -300,7 +299,7 @@ ContactSolution SurfacePass::solution_of(const StepAnswer& answer) const {
 /// largest pressure is at least the mean one, also where samples miss it.
 void SurfacePass::set_tolerances(const ContactSolution& solution) {
   const double strongest =
-      std::max(largest(solution.pressure), solution.nominal_pressure);
+      std::max(largest_magnitude(solution.pressure), solution.nominal_pressure);
   if (solution.nominal_pressure > 0.0)
     asked_.load_tolerance =
         load_tolerance_of_block * strongest / solution.nominal_pressure;
@@ -319,8 +318,7 @@ StepSummary SurfacePass::summary(const ContactSolution& solution,
     step.mean_gap = step.separation = answer.row.mean_gap;
     step.area = answer.row.area_fraction;
     step.may_lose_contact = true; // the area is one of points or atoms
-    step.tolerance =
-        1.01 * asked_.gap_tolerance + gap_rounding(asked_, solution);
+    step.tolerance = allowed_gap(asked_, solution);
   }
   if (const auto* md =
           std::get_if<mechanics::MdSettings>(&what_.method.settings))
@@ -354,7 +352,7 @@ std::optional<Failure> SurfacePass::verify(const mechanics::LoadTarget& target,
     return failure;
   // For a uniform pressure the displacement consists of rounding only.
   if (answer.row.elastic_energy <
-      -largest(solution.pressure) * gap_rounding(asked_, solution))
+      -largest_magnitude(solution.pressure) * gap_rounding(asked_, solution))
     return Failure{"observables", fmt::format("elastic_energy = {:.6g}",
                                               answer.row.elastic_energy)};
   return verify_certificate(asked_, solution, *elasticity_);
@@ -464,9 +462,7 @@ Pass run_pass(const MethodOfCase& what, const PassSettings& settings,
               InstanceReport& report) {
   const std::vector<cases::MethodSpec> only{what.method};
   const methods::CaseSurfaces surfaces(what.contact_case, only);
-  methods::Cache cache;
-  const methods::CaseKeys keys(what.contact_case, "", {});
-  methods::MethodFactory factory(what.contact_case, cache, keys);
+  methods::MethodFactory factory(what.contact_case);
   Pass pass;
   for (const int r :
        methods::realizations_of(what.contact_case, what.method, {}))

@@ -14,29 +14,15 @@
 namespace asperity::robustness {
 namespace {
 
-/// The lower edges of the bins of an axis of numbers; the last bin is
-/// unbounded.
-const std::map<std::string, std::vector<double>> edges_of_axes{
-    {"penalty", {1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9, 1e12}},
-    {"load", {1e-12, 1e-6, 1e-3, 1e-1, 1.0, 10.0}},
-    {"gap", {0.0, 0.1, 1.0}},
-    {"hurst", {0.0, 0.2, 0.5, 0.8, 1.0}},
-    {"rms-slope", {1e-6, 1e-4, 1e-2, 1.0}},
-    {"length", {1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3}},
-    {"modulus", {1.0, 1e3, 1e6, 1e9}},
-    {"thickness", {0.01, 0.05, 0.3, 1.0, 3.0}},
-    {"growth", {1.0, 1.5, 2.0, 2.5}},
-    {"modulus-ratio", {1.0, 10.0, 100.0}}};
-
 std::string bin_label(const std::vector<double>& edges, std::size_t bin) {
   return bin + 1 < edges.size()
              ? fmt::format("{:g}..{:g}", edges[bin], edges[bin + 1])
              : fmt::format("{:g}..", edges[bin]);
 }
 
-Axis of_numbers(const std::string& name) {
-  Axis axis{name, {}};
-  const std::vector<double>& edges = edges_of_axes.at(name);
+/// @param edges  lower ones of the bins, the last of which is unbounded
+Axis of_numbers(const std::string& name, const std::vector<double>& edges) {
+  Axis axis{name, {}, edges};
   for (std::size_t bin = 0; bin < edges.size(); ++bin)
     axis.labels.push_back(bin_label(edges, bin));
   return axis;
@@ -60,21 +46,21 @@ const std::vector<Axis>& axes() {
       {"edges", {"periodic", "window", "mirror", "free"}},
       {"realizations", {"1", "2"}},
       {"law", law_names()},
-      of_numbers("penalty"),
+      of_numbers("penalty", {1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9, 1e12}),
       {"control", {"pressure", "gap"}},
-      of_numbers("load"),
-      of_numbers("gap"),
+      of_numbers("load", {1e-12, 1e-6, 1e-3, 1e-1, 1.0, 10.0}),
+      of_numbers("gap", {0.0, 0.1, 1.0}),
       {"program", {"increments", "jump", "cycle"}},
       {"points", {"8", "16", "24", "32", "48", "64"}},
       {"shortest-wave", {"2", "2.1", "3", "4", "8"}},
-      of_numbers("hurst"),
-      of_numbers("rms-slope"),
-      of_numbers("length"),
-      of_numbers("modulus"),
+      of_numbers("hurst", {0.0, 0.2, 0.5, 0.8, 1.0}),
+      of_numbers("rms-slope", {1e-6, 1e-4, 1e-2, 1.0}),
+      of_numbers("length", {1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3}),
+      of_numbers("modulus", {1.0, 1e3, 1e6, 1e9}),
       {"nu", {"0", "0.3", "0.49", "0.4999"}},
       {"top", {"clamped", "sliding", "pressure"}},
-      of_numbers("thickness"),
-      of_numbers("growth"),
+      of_numbers("thickness", {0.01, 0.05, 0.3, 1.0, 3.0}),
+      of_numbers("growth", {1.0, 1.5, 2.0, 2.5}),
       {"element", {"Q1", "Q2"}},
       {"coating", {"softer", "none", "stiffer"}},
       {"material-law", {"elastic", "plastic"}},
@@ -86,14 +72,15 @@ const std::vector<Axis>& axes() {
       {"threads", {"1", "2", "3"}},
       {"sides", {"periodic", "free"}},
       {"linear-solver", {"auto", "multigrid"}},
-      of_numbers("modulus-ratio"),
+      of_numbers("modulus-ratio", {1.0, 10.0, 100.0}),
       {"mesh", {"layers", "hanging", "adaptive", "gmsh"}},
       {"counter-body", {"none", "sphere", "cylinder", "cuboid"}}};
   return all;
 }
 
 std::string bin_of(const std::string& axis, double value) {
-  const std::vector<double>& edges = edges_of_axes.at(axis);
+  const std::vector<double>& edges =
+      std::ranges::find(axes(), axis, &Axis::name)->edges;
   const auto above = std::upper_bound(edges.begin() + 1, edges.end(), value);
   return bin_label(edges, static_cast<std::size_t>(above - edges.begin()) - 1);
 }

@@ -19,6 +19,7 @@ namespace asperity::robustness {
 struct Axis {
   std::string name;                ///< "penalty"
   std::vector<std::string> labels; ///< "1e-06..0.001", ...
+  std::vector<double> edges = {};  ///< of bins of numbers, the lower ones
 };
 
 const std::vector<Axis>& axes();

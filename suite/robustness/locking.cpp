@@ -16,9 +16,7 @@ namespace {
 /// displacement due to its own pressure, projected on the wave.
 std::vector<double> compliances_of(const cases::Case& contact_case, int waves) {
   const methods::CaseSurfaces surfaces(contact_case, contact_case.methods);
-  methods::Cache cache;
-  const methods::CaseKeys keys(contact_case, "", {});
-  methods::MethodFactory factory(contact_case, cache, keys);
+  methods::MethodFactory factory(contact_case);
   const Grid& grid = surfaces.whole().front().record.grid;
   std::vector<double> wave(grid.size());
   for (std::size_t i = 0; i < wave.size(); ++i)

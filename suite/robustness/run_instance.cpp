@@ -41,7 +41,7 @@ public:
     const fs::path file = instance.file.empty() ? folder_.path() / "case.toml"
                                                 : fs::path(instance.file);
     case_ = cases::read_case_text(instance.text, file.string(), overrides);
-    method_ = methods::chosen_methods(case_, {instance.method}, true).front();
+    method_ = methods::chosen_methods(case_, {{instance.method}, true}).front();
     run::require_runnable(case_, {method_});
   }
 
@@ -70,6 +70,20 @@ bool is_scaled(const std::vector<std::vector<double>>& first,
   });
 }
 
+/// Whether two steps of a pair have one answer; the report says why not.
+bool is_one_answer(const StepSummary& first, const StepSummary& second,
+                   const UnitRatios& units, const char* check,
+                   InstanceReport& report) {
+  report.pair_difference =
+      std::max(report.pair_difference,
+               std::abs(second.mean_gap / units.length - first.mean_gap) /
+                   first.tolerance);
+  auto failure = verify_same(first, second, units.length, units.pressure);
+  if (failure)
+    fail(report, {check, failure->detail});
+  return !failure;
+}
+
 /// Compares a pass with a second one in other units or on other threads.
 void compare(const Pass& first, const Pass& second, const UnitRatios& units,
              bool needs_same_bits, InstanceReport& report) {
@@ -82,17 +96,10 @@ void compare(const Pass& first, const Pass& second, const UnitRatios& units,
       fail(report, {"metamorphic pair", "the bits of both runs differ"});
     return;
   }
-  for (std::size_t i = 0; i < first.steps.size(); ++i) {
-    const StepSummary& a = first.steps[i];
-    const StepSummary& b = second.steps[i];
-    report.pair_difference = std::max(
-        report.pair_difference,
-        std::abs(b.mean_gap / units.length - a.mean_gap) / a.tolerance);
-    if (auto failure = verify_same(a, b, units.length, units.pressure)) {
-      failure->check = "metamorphic pair";
-      return fail(report, *failure);
-    }
-  }
+  for (std::size_t i = 0; i < first.steps.size(); ++i)
+    if (!is_one_answer(first.steps[i], second.steps[i], units,
+                       "metamorphic pair", report))
+      return;
 }
 
 /// Compares a full block with that of factorised matrices. Adaptive meshes
@@ -108,14 +115,9 @@ void compare_with_direct(const MethodOfCase& what, const Pass& found,
       continue;
     if (!has_same_energy)
       direct.steps[i].energy = found.steps[i].energy;
-    report.pair_difference =
-        std::max(report.pair_difference,
-                 std::abs(found.steps[i].mean_gap - direct.steps[i].mean_gap) /
-                     found.steps[i].tolerance);
-    if (auto failure = verify_same(found.steps[i], direct.steps[i])) {
-      failure->check = "direct solver";
-      return fail(report, *failure);
-    }
+    if (!is_one_answer(found.steps[i], direct.steps[i], {}, "direct solver",
+                       report))
+      return;
   }
 }
 

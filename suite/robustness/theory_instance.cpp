@@ -73,20 +73,16 @@ void run_theory(const MethodOfCase& what, InstanceReport& report) {
   const auto& settings =
       std::get<mechanics::TheorySettings>(what.method.settings);
   const methods::CaseSurfaces surfaces(what.contact_case, {what.method}, {0});
-  const bool by_formula = !what.method.needs_surface();
-  const theory::HeightSpectrum spectrum =
-      by_formula ? methods::formula_of_case(what.contact_case, what.method)
-                 : methods::spectrum_of(surfaces.of(what.method, 0));
-  const mechanics::Scales scales =
-      by_formula ? methods::formula_scales(what.contact_case, spectrum)
-                 : surfaces.of(what.method, 0).scales;
-  const theory::PerssonContact contact(spectrum, scales.contact_modulus,
+  const methods::TheoryInput input =
+      methods::theory_input(what.contact_case, what.method, surfaces, 0);
+  const double contact_modulus = input.scales.contact_modulus;
+  const theory::PerssonContact contact(input.spectrum, contact_modulus,
                                        settings.gamma);
   const bool is_first_law =
       settings.loss_factor == mechanics::LossFactor::yang_persson;
   std::vector<StepSummary> steps;
-  for (const results::CurvePoint& row : methods::theory_rows(
-           settings, what.contact_case.load, spectrum, scales)) {
+  for (const results::CurvePoint& row :
+       methods::theory_rows(settings, what.contact_case.load, input)) {
     StepSummary step;
     step.nominal_pressure = row.nominal_pressure;
     step.mean_gap = step.separation = row.mean_gap;
@@ -95,9 +91,8 @@ void run_theory(const MethodOfCase& what, InstanceReport& report) {
     step.tolerance = relative_accuracy * step.mean_gap;
     if (const auto failure = verify_values(contact, step))
       return fail(report, *failure);
-    for (const auto& failure :
-         {verify_area(contact, scales.contact_modulus, step),
-          verify_inverse(contact, step)})
+    for (const auto& failure : {verify_area(contact, contact_modulus, step),
+                                verify_inverse(contact, step)})
       if (failure && is_first_law)
         return fail(report, *failure);
     if (!steps.empty() && is_first_law)
@@ -106,7 +101,8 @@ void run_theory(const MethodOfCase& what, InstanceReport& report) {
     steps.push_back(step);
   }
   report.area = steps[steps.size() / 2].area;
-  report.reduced_gap = steps[steps.size() / 2].mean_gap / spectrum.rms_height();
+  report.reduced_gap =
+      steps[steps.size() / 2].mean_gap / input.spectrum.rms_height();
 }
 
 } // namespace asperity::robustness

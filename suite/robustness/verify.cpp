@@ -1,6 +1,7 @@
 #include "suite/robustness/verify.hpp"
 
 #include "base/field_sums.hpp"
+#include "base/maximum.hpp"
 #include "base/special_numbers.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "results/observables/observables.hpp"
@@ -97,8 +98,9 @@ std::optional<Failure> verify_apart(const AskedContact& asked,
   const double clearance =
       target.amount + results::weighted_mean(asked.heights, asked.weights) -
       *std::max_element(asked.heights.begin(), asked.heights.end());
-  const double rounding = rounding_of_a_field * largest(asked.heights);
-  const double highest = largest(solution.pressure);
+  const double rounding =
+      rounding_of_a_field * largest_magnitude(asked.heights);
+  const double highest = largest_magnitude(solution.pressure);
   if (target.control == mechanics::Control::mean_gap && clearance > rounding &&
       highest > 0.0)
     return Failure{"apart", fmt::format("p = {:.3g} Pa at {:.3g} m from the "
@@ -125,23 +127,20 @@ struct Ranged {
 
 } // namespace
 
-double largest(std::span<const double> field) {
-  double most = 0.0;
-  for (const double value : field)
-    most = std::max(most, std::abs(value));
-  return most;
-}
-
 double gap_rounding(const AskedContact& asked,
                     const ContactSolution& solution) {
-  const double pressure = largest(solution.pressure);
+  const double pressure = largest_magnitude(solution.pressure);
   // Rounding errors of equal terms are correlated: a plain sum of N terms loses
   // some N/8 eps.
   const double sum = 0.125 * eps * static_cast<double>(solution.gap.size());
   return rounding_of_a_field *
-             (largest(asked.heights) + std::abs(solution.mean_gap) +
+             (largest_magnitude(asked.heights) + std::abs(solution.mean_gap) +
               pressure * asked.long_wave_compliance) +
          (rounding_of_a_field + sum) * pressure * asked.local_compliance;
+}
+
+double allowed_gap(const AskedContact& asked, const ContactSolution& solution) {
+  return 1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
 }
 
 std::optional<Failure> verify_step(const AskedContact& asked,
@@ -174,8 +173,7 @@ std::optional<Failure> verify_contact(const AskedContact& asked,
     if (solution.pressure[i] > 0.0)
       open_contact = std::max(open_contact, std::abs(clearance));
   }
-  const double allowed =
-      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
+  const double allowed = allowed_gap(asked, solution);
   const auto says = [&](double found) {
     return fmt::format("{:.3g} m, allowed {:.3g} m", found, allowed);
   };
@@ -241,8 +239,7 @@ verify_certificate(const AskedContact& asked, const ContactSolution& solution,
   const contact::FieldCheck check = contact::check_field(
       elasticity, {asked.heights, asked.local_compliance, load,
                    solution.pressure, solution.mean_gap});
-  const double tolerance =
-      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
+  const double tolerance = allowed_gap(asked, solution);
   if (!(check.duality_gap <= 2.0 * load * tolerance))
     return Failure{"certificate",
                    fmt::format("duality gap {:.3g} J/m^2, allowed {:.3g} J/m^2",
@@ -265,14 +262,13 @@ StepSummary summary_of(const AskedContact& asked,
   summary.energy = energy_of(asked, solution);
   summary.area = results::counted_area_fraction(
       results::ContactNodes::under(solution.pressure), asked.weights);
-  summary.tolerance =
-      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
+  summary.tolerance = allowed_gap(asked, solution);
   // The pressure that lifts a node by the tolerance, plus the rounding of the
   // pressures.
   const double lifting =
       10.0 * summary.tolerance /
           (asked.short_wave_compliance + asked.local_compliance) +
-      rounding_of_a_field * largest(solution.pressure);
+      rounding_of_a_field * largest_magnitude(solution.pressure);
   const auto marginal = std::count_if(
       solution.pressure.begin(), solution.pressure.end(),
       [&](double pressure) { return pressure > 0.0 && pressure <= lifting; });

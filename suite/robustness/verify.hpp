@@ -24,9 +24,6 @@ struct Failure {
 using Displace = std::function<void(std::span<const double> pressure,
                                     std::span<double> displacement)>;
 
-/// The largest magnitude in a field.
-double largest(std::span<const double> field);
-
 /// The contact problem that was posed.
 struct AskedContact {
   std::span<const double> heights;    ///< [m]
@@ -50,6 +47,11 @@ struct AskedContact {
 /// which is summed over N nodes.
 double gap_rounding(const AskedContact& asked,
                     const contact::ContactSolution& solution);
+
+/// Returns what the gaps of two solutions, or a gap and 0, may differ by [m]:
+/// the tolerance of the solver, with a margin, plus the rounding.
+double allowed_gap(const AskedContact& asked,
+                   const contact::ContactSolution& solution);
 
 /// Verifies one step by the following checks, in this order:
 ///

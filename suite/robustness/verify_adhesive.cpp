@@ -1,6 +1,7 @@
 #include "suite/robustness/verify_adhesive.hpp"
 
 #include "base/field_sums.hpp"
+#include "base/maximum.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +17,6 @@ using mechanics::LoadTarget;
 
 constexpr double adhesive_rounding =
     1e-12; ///< of sums and transforms, relative
-
-double mean(std::span<const double> field) {
-  return results::weighted_mean(field, {});
-}
 
 } // namespace
 
@@ -93,7 +90,7 @@ AdhesiveCheck::verify_law(const LoadTarget& target,
       scales_.gap_tolerance * (stiffest() + spring) *
           (1.0 + repulsion / scales_.stiffness) * std::sqrt(solved_nodes()) +
       adhesive_rounding *
-          (largest(found.pressure) - law_.pressure_bounds().smallest);
+          (largest_magnitude(found.pressure) - law_.pressure_bounds().smallest);
   for (std::size_t i = 0; i < found.gap.size(); ++i) {
     const double gap = found.gap[i];
     const double off = found.pressure[i] - law_.pressure(gap);
@@ -118,15 +115,16 @@ AdhesiveCheck::verify_balance(const LoadTarget& target,
                                          : found.nominal_pressure;
   const double nominal = mean(found.pressure);
   if (std::abs(nominal - asked) >
-      adhesive_rounding * largest(found.pressure) + pressure_left())
+      adhesive_rounding * largest_magnitude(found.pressure) + pressure_left())
     return Failure{"balance",
                    fmt::format("mean pressure {:.17g} Pa instead of {:.17g} Pa",
                                nominal, asked)};
   const double asked_gap = target.amount + nominal / target.spring;
   if (!by_pressure &&
       std::abs(mean(found.gap) - asked_gap) >
-          adhesive_rounding * (std::abs(target.amount) + largest(found.gap) +
-                               largest(found.pressure) / target.spring))
+          adhesive_rounding *
+              (std::abs(target.amount) + largest_magnitude(found.gap) +
+               largest_magnitude(found.pressure) / target.spring))
     return Failure{"balance", fmt::format("mean gap {:.17g} m instead of "
                                           "{:.17g} m",
                                           mean(found.gap), asked_gap)};
@@ -139,8 +137,9 @@ AdhesiveCheck::verify_fields(const ContactSolution& found) {
   elasticity_.displacement(found.pressure, displacement);
   const double level = mean(found.gap) + mean(heights_) - mean(displacement);
   const double allowed =
-      adhesive_rounding * (largest(found.gap) + largest(heights_) +
-                           largest(found.pressure) / scales_.stiffness) +
+      adhesive_rounding *
+          (largest_magnitude(found.gap) + largest_magnitude(heights_) +
+           largest_magnitude(found.pressure) / scales_.stiffness) +
       pressure_left() * elasticity_.grid().length_x / scales_.contact_modulus;
   for (std::size_t i = 0; i < heights_.size(); ++i) {
     const double off = found.gap[i] + heights_[i] - level - displacement[i];

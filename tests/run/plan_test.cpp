@@ -43,7 +43,7 @@ TEST_F(PlannedRun, CountsTheMapsOfAReport) {
       "load.nominal_pressure={ from = \"1e-3 E*\", to = \"0.1 E*\", steps = "
       "12, spacing = \"log\" }"};
   const std::vector<std::string> methods = {"halfspace", "fem"};
-  RunOptions options{folder / "out", methods, false, 1, "", &cache};
+  RunOptions options{folder / "out", {methods}, false, 1, "", &cache};
   const auto bytes = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
@@ -74,7 +74,7 @@ TEST_F(PlannedRun, LeavesTheDiskAlone) {
 }
 
 TEST_F(PlannedRun, CountsWhatTheCacheHas) {
-  run_case(read(), {folder / "out", {"halfspace"}, false, 1, "", &cache});
+  run_case(read(), {folder / "out", {{"halfspace"}}, false, 1, "", &cache});
 
   const Plan planned = plan();
 
@@ -140,7 +140,8 @@ TEST_F(PlannedRun, AMirroredMapNeedsLessMemory) {
 
 // The result lists the work that the cache saved.
 TEST_F(PlannedRun, TheResultStatesWhatTheCacheSaved) {
-  const RunOptions options{folder / "out", {"halfspace"}, false, 1, "", &cache};
+  const RunOptions options{folder / "out", {{"halfspace"}}, false, 1, "",
+                           &cache};
   run_case(read(), options);
   EXPECT_FALSE(
       find(results::read_result(folder / "out").skipped, "halfspace: 8 steps"));

@@ -40,7 +40,7 @@ protected:
   Plan plan(const std::vector<std::string>& overrides,
             const std::vector<std::string>& methods = {}) {
     return make_plan(read(overrides),
-                     {folder / "out", methods, false, 2, "", nullptr});
+                     {folder / "out", {methods}, false, 2, "", nullptr});
   }
 };
 

@@ -29,7 +29,7 @@ protected:
   Plan plan(const std::vector<std::string>& overrides = {},
             const std::vector<std::string>& methods = {}) {
     return make_plan(read(overrides),
-                     {folder / "out", methods, false, 2, "", &cache});
+                     {folder / "out", {methods}, false, 2, "", &cache});
   }
 
   methods::Cache cache{folder / "cache", 100'000'000};

@@ -2,12 +2,12 @@
 
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -286,19 +286,15 @@ std::uintmax_t cache_size() {
   if (value == nullptr || *value == '\0')
     return default_size;
   const std::string_view text(value);
-  double number = 0.0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  std::string_view unit = text.substr(static_cast<std::size_t>(end - value));
-  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+  const auto [number, rest] = number_and_rest(text);
+  const std::string unit = trimmed(rest);
   const double scale = unit.empty()   ? 1.0
                        : unit == "kB" ? 1e3
                        : unit == "MB" ? 1e6
                        : unit == "GB" ? 1e9
                        : unit == "TB" ? 1e12
                                       : -1.0;
-  if (error != std::errc() || scale < 0.0 || !(number >= 0.0) ||
-      !(number * scale < 1e18))
+  if (scale < 0.0 || !(number >= 0.0) || !(number * scale < 1e18))
     throw input::InputError(
         fmt::format("ASPERITY_CACHE_SIZE = \"{}\", but must be a size such as "
                     "500 MB or 2 GB, or 0 for no cache",

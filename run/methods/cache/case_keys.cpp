@@ -106,21 +106,14 @@ CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program,
           hash_in(inputs_, surface_file), text_of(*case_.file, "material"),
           hash_in(inputs_, variation_file))) {}
 
-/// Merges the keys of a variant such as [fem.hard] into those of [fem]. The
-/// tables of the other variants are left out.
 Node CaseKeys::table_of(const cases::MethodSpec& method) const {
   const std::size_t dot = method.name.find('.');
   const std::string kind = method.name.substr(0, dot);
   const Node& base = *case_.file->find(kind);
-  Node merged;
-  if (dot != std::string::npos)
-    merged = *base.find(method.name.substr(dot + 1));
-  merged.type = cases::NodeType::table;
-  for (const NodeEntry& entry : base.entries)
-    if (!merged.find(entry.key) &&
-        (!entry.node.is_table() || cases::find_key(kind, entry.key) != nullptr))
-      merged.entries.push_back(entry);
-  return merged;
+  return cases::method_table(base, kind,
+                             dot == std::string::npos
+                                 ? nullptr
+                                 : base.find(method.name.substr(dot + 1)));
 }
 
 std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
@@ -129,8 +122,7 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
   std::erase_if(table.entries, [](const NodeEntry& entry) {
     return entry.key == "realizations";
   });
-  std::string text =
-      method.name.substr(0, method.name.find('.')) + canonical(table);
+  std::string text = cases::kind_of_method(method.name) + canonical(table);
   if (const auto* md = method.as<mechanics::MdSettings>())
     text += md::engine_identity(*md);
   if (const auto* fem = method.as<mechanics::FemSettings>();
@@ -173,10 +165,10 @@ std::string CaseKeys::operator_text(const cases::MethodSpec& method,
            entry.key == "max_iterations" || entry.key == "magnification" ||
            entry.key == "realizations";
   });
-  return fmt::format(
-      "{} {} {} {}\n{}\n{} {}", grid.points_x, grid.points_y, grid.length_x,
-      grid.length_y, text_of(*case_.file, "material"),
-      method.name.substr(0, method.name.find('.')), canonical(table));
+  return fmt::format("{} {} {} {}\n{}\n{} {}", grid.points_x, grid.points_y,
+                     grid.length_x, grid.length_y,
+                     text_of(*case_.file, "material"),
+                     cases::kind_of_method(method.name), canonical(table));
 }
 
 std::string CaseKeys::of_operator(const std::string& text) const {

@@ -46,8 +46,23 @@ struct BenchPhases {
   double steps() const { return transforms + solving + observation; }
 };
 
-/// One setting of one method that has been run.
-struct BenchPoint {
+/// What one run of a setting has found.
+struct BenchRun {
+  std::string problem; ///< why there is no result; empty if there is one
+  /// Unknowns of a full block, the most of all steps; nodes of the grid for the
+  /// condensed block and the half-space; NaN for other methods.
+  double unknowns = not_a_number;
+  int steps = 0;
+  int failed_steps = 0;
+  int iterations = 0; ///< total over all steps
+  int transforms = 0; ///< total over all steps, on the method's grid
+  BenchPhases phases;
+  BenchAnswer answer;
+};
+
+/// One setting of one method that has been run: its run with the median CPU
+/// time, and what all of its runs have taken.
+struct BenchPoint : BenchRun {
   std::string method;
   std::string kind;
   std::string label; ///< "256 points, growth 1.1"
@@ -67,19 +82,9 @@ struct BenchPoint {
   BenchTime wall;
   BenchTime cpu;
   double peak_memory = 0.0; ///< maximum over the runs [B]
-  /// Unknowns of a full block, the most of all steps; nodes of the grid for the
-  /// condensed block and the half-space; NaN for other methods.
-  double unknowns = not_a_number;
-  int steps = 0;
-  int failed_steps = 0;
-  int iterations = 0; ///< total over all steps
-  int transforms = 0; ///< total over all steps, on the method's grid
-  BenchPhases phases;
   /// CPU time of a real forward and inverse transform in single precision, as
   /// the contact solver computes it, on this grid and one thread [s]
   double transform_pair = not_a_number;
-  std::string problem; ///< why there is no result; empty if there is one
-  BenchAnswer answer;
   /// With respect to the reference solution.
   std::map<std::string, double> errors;
   /// With respect to the limit of the method's own series.

@@ -193,6 +193,23 @@ void fill_series(Bench& bench, BenchSeries& series) {
   }
 }
 
+/// Returns the points of the bench on the Pareto front of a quantity, in
+/// ascending cost. Only settings of elastic methods with a result are included,
+/// without those of the reference series.
+std::vector<std::size_t> front_of(const Bench& bench,
+                                  const std::string& quantity) {
+  std::vector<double> costs;
+  std::vector<double> errors;
+  for (const BenchPoint& point : bench.points) {
+    const auto found = point.errors.find(quantity);
+    const bool counts =
+        point.is_elastic && !point.is_reference && found != point.errors.end();
+    costs.push_back(point.cpu.median);
+    errors.push_back(counts ? found->second : not_a_number);
+  }
+  return reports::pareto_front(costs, errors);
+}
+
 } // namespace
 
 ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series) {
@@ -236,20 +253,6 @@ void analyse(Bench& bench, const cases::Case& contact_case) {
     fill_series(bench, one);
   for (const std::string& quantity : bench.quantities)
     bench.fronts[quantity] = front_of(bench, quantity);
-}
-
-std::vector<std::size_t> front_of(const Bench& bench,
-                                  const std::string& quantity) {
-  std::vector<double> costs;
-  std::vector<double> errors;
-  for (const BenchPoint& point : bench.points) {
-    const auto found = point.errors.find(quantity);
-    const bool counts =
-        point.is_elastic && !point.is_reference && found != point.errors.end();
-    costs.push_back(point.cpu.median);
-    errors.push_back(counts ? found->second : not_a_number);
-  }
-  return reports::pareto_front(costs, errors);
 }
 
 } // namespace asperity::bench

@@ -21,10 +21,4 @@ void analyse(Bench& bench, const cases::Case& contact_case);
 /// all its last settings provide. Each estimator of the area has its own limit.
 ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series);
 
-/// Returns the points of the bench on the Pareto front of a quantity, in
-/// ascending cost. Only settings of elastic methods with a result are included,
-/// without those of the reference series.
-std::vector<std::size_t> front_of(const Bench& bench,
-                                  const std::string& quantity);
-
 } // namespace asperity::bench

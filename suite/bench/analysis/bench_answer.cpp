@@ -21,14 +21,6 @@ namespace {
 using mechanics::SurfaceKind;
 using results::CurvePoint;
 
-const results::MethodRecord& method_called(const results::Result& result,
-                                           const std::string& name) {
-  for (const results::MethodRecord& method : result.methods)
-    if (method.name == name)
-      return method;
-  throw std::domain_error("the result has no method " + name);
-}
-
 /// Returns the columns of a curve that are compared at each load.
 std::vector<const results::CurveColumn*>
 compared_columns(mechanics::Control control) {
@@ -150,7 +142,10 @@ FreeMethods free_methods(const cases::Case& contact_case) {
 BenchAnswer answer_of(const results::Result& result,
                       const cases::Case& contact_case,
                       const std::string& name) {
-  const results::MethodRecord& method = method_called(result, name);
+  const results::MethodRecord* const found = result.method(name);
+  if (found == nullptr)
+    throw std::domain_error("the result has no method " + name);
+  const results::MethodRecord& method = *found;
   BenchAnswer answer;
   for (const CurvePoint& row : method.rows()) {
     if (row.is_unloading)

@@ -57,6 +57,44 @@ void add_cost(Forecast& forecast, std::span<const BenchPoint> coarse) {
   forecast.fixed_time = std::fmax(0.0, first.cpu.median - times.front());
 }
 
+/// Determines the error and the order of a quantity from the finest two or
+/// three of some runs. The order is the observed one if three runs have one,
+/// otherwise 1, and is limited to 2, so that a coincidentally close pair does
+/// not suggest too small an error.
+/// @param coarse  runs with results, coarse to fine, at least two
+Forecast::Term term_of(std::span<const BenchPoint> coarse,
+                       const std::string& column) {
+  const std::size_t n = coarse.size();
+  const std::vector<double> scale = scale_of(column, coarse[n - 1].answer);
+  // Difference between run i and the previous run.
+  const auto difference = [&](std::size_t i) {
+    const auto fine = coarse[i].answer.values.find(column);
+    const auto rough = coarse[i - 1].answer.values.find(column);
+    const bool is_known = fine != coarse[i].answer.values.end() &&
+                          rough != coarse[i - 1].answer.values.end() &&
+                          fine->second.size() == scale.size() &&
+                          rough->second.size() == scale.size();
+    return is_known
+               ? reports::rms_difference(fine->second, rough->second, scale)
+               : not_a_number;
+  };
+  Forecast::Term term;
+  term.order = order_unknown;
+  if (n >= 3) {
+    const std::array spacings{1.0 / coarse[n - 3].points,
+                              1.0 / coarse[n - 2].points,
+                              1.0 / coarse[n - 1].points};
+    const double order =
+        reports::observed_order(spacings, difference(n - 2), difference(n - 1));
+    if (std::isfinite(order))
+      term.order = std::clamp(order, lowest_order, highest_order);
+  }
+  const double ratio = static_cast<double>(coarse[n - 1].points) /
+                       static_cast<double>(coarse[n - 2].points);
+  term.error = difference(n - 1) / (std::pow(ratio, term.order) - 1.0);
+  return term;
+}
+
 } // namespace
 
 std::string Forecast::best_column(const std::string& quantity, int points,
@@ -137,39 +175,6 @@ std::vector<std::string> asked_quantities(const cases::Case& contact_case) {
   if (asked.empty())
     asked = {gap, any_area};
   return asked;
-}
-
-Forecast::Term term_of(std::span<const BenchPoint> coarse,
-                       const std::string& column) {
-  const std::size_t n = coarse.size();
-  const std::vector<double> scale = scale_of(column, coarse[n - 1].answer);
-  // Difference between run i and the previous run.
-  const auto difference = [&](std::size_t i) {
-    const auto fine = coarse[i].answer.values.find(column);
-    const auto rough = coarse[i - 1].answer.values.find(column);
-    const bool is_known = fine != coarse[i].answer.values.end() &&
-                          rough != coarse[i - 1].answer.values.end() &&
-                          fine->second.size() == scale.size() &&
-                          rough->second.size() == scale.size();
-    return is_known
-               ? reports::rms_difference(fine->second, rough->second, scale)
-               : not_a_number;
-  };
-  Forecast::Term term;
-  term.order = order_unknown;
-  if (n >= 3) {
-    const std::array spacings{1.0 / coarse[n - 3].points,
-                              1.0 / coarse[n - 2].points,
-                              1.0 / coarse[n - 1].points};
-    const double order =
-        reports::observed_order(spacings, difference(n - 2), difference(n - 1));
-    if (std::isfinite(order))
-      term.order = std::clamp(order, lowest_order, highest_order);
-  }
-  const double ratio = static_cast<double>(coarse[n - 1].points) /
-                       static_cast<double>(coarse[n - 2].points);
-  term.error = difference(n - 1) / (std::pow(ratio, term.order) - 1.0);
-  return term;
 }
 
 void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,

@@ -77,15 +77,8 @@ std::vector<std::string> asked_quantities(const cases::Case& contact_case);
 /// Name that stands for the area estimator with the smallest error.
 inline constexpr const char* any_area = "area_fraction";
 
-/// Determines the error and the order of a quantity from the finest two or
-/// three of some runs. The order is the observed one if three runs have one,
-/// otherwise 1, and is limited to 2, so that a coincidentally close pair does
-/// not suggest too small an error.
-/// @param coarse  runs with results, coarse to fine, at least two
-Forecast::Term term_of(std::span<const BenchPoint> coarse,
-                       const std::string& column);
-
-/// Adds the cost of those runs and the terms of every column to which
+/// Adds the cost of runs with results, coarse to fine, at least two, and the
+/// terms of every column to which
 /// `quantities` refer. The bias of an area estimator is the part of its
 /// difference from the corrected area in the finest run that exceeds the errors
 /// of both.

@@ -1,5 +1,6 @@
 #include "suite/bench/runs/bench.hpp"
 
+#include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/reader/case_hash.hpp"
 #include "input/reader/read_case.hpp"
@@ -11,6 +12,7 @@
 #include "run/plan/preparation.hpp"
 #include "run/plan/skipped.hpp"
 #include "run/progress.hpp"
+#include "run/result_outputs.hpp"
 #include "suite/bench/analysis/bench_analysis.hpp"
 #include "suite/bench/pages/bench_report.hpp"
 #include "suite/bench/runs/bench_runner.hpp"
@@ -20,7 +22,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 
@@ -60,22 +61,6 @@ void print_point(std::size_t i, std::size_t n, const BenchPoint& point) {
   else
     fmt::print("[{}/{}] {}, {}: {}\n", i + 1, n, point.method, point.label,
                point.problem);
-  std::fflush(stdout);
-}
-
-/// Prints the remaining time of a bench that takes longer than ten seconds, as
-/// if the settings that remain took as long as the others.
-void print_remaining(const Bench& bench, std::size_t last,
-                     std::chrono::steady_clock::time_point begin) {
-  const std::size_t n_left = bench.points.size() - last - 1;
-  const double elapsed =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-          .count();
-  if (n_left == 0 || elapsed < 10.0)
-    return;
-  fmt::print("{} of {} settings, {}\n", last + 1, bench.points.size(),
-             run::remaining_text(elapsed / static_cast<double>(last + 1) *
-                                 static_cast<double>(n_left)));
   std::fflush(stdout);
 }
 
@@ -125,7 +110,12 @@ void run_points(Bench& bench, const BenchPlan& plan, BenchRunner& runner) {
     is_once = is_once || (runner.is_spent() && !point.is_reference);
     runner.run(point);
     print_point(i, bench.points.size(), point);
-    print_remaining(bench, i, begin);
+    // As if the settings that remain took as long as the others.
+    if (const std::string left =
+            run::remaining_text(begin, i + 1, bench.points.size());
+        !left.empty())
+      fmt::print("{} of {} settings, {}\n", i + 1, bench.points.size(), left);
+    std::fflush(stdout);
   }
   if (is_once)
     bench.remarks.emplace_back(
@@ -152,14 +142,10 @@ void print_fronts(const Bench& bench) {
 } // namespace
 
 double read_target_error(const std::string& text) {
-  double number = 0.0;
-  const auto [end, failure] =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  std::string unit(end, text.data() + text.size());
-  std::erase(unit, ' ');
+  const auto [number, rest] = number_and_rest(text);
+  const std::string unit = trimmed(rest);
   const double share = unit == "%" ? number / 100.0 : number;
-  if (failure != std::errc() || (!unit.empty() && unit != "%") ||
-      !(share > 0.0 && share < 1.0))
+  if ((!unit.empty() && unit != "%") || !(share > 0.0 && share < 1.0))
     throw input::InputError(
         "--target-error " + text +
         ": expected a relative error between 0 and 1, such as 1% or 0.01");
@@ -173,7 +159,7 @@ run::ExitCode bench_case(const BenchCommand& command) {
   const Subject subject = subject_of(command);
   const cases::Case& contact_case = subject.contact_case;
   const std::vector<cases::MethodSpec> methods =
-      methods::chosen_methods(contact_case, command.methods);
+      methods::chosen_methods(contact_case, {command.methods});
   run::require_computable(contact_case, methods,
                           run::grid_of_case(contact_case, methods));
   const BenchPlan plan = bench_plan_of(
@@ -200,15 +186,14 @@ run::ExitCode bench_case(const BenchCommand& command) {
   analyse(bench, contact_case);
   if (target > 0.0 && !run::is_interrupted()) {
     cases::Case asked = contact_case;
-    asked.methods = methods::chosen_methods(asked, command.methods);
+    asked.methods = methods::chosen_methods(asked, {command.methods});
     TargetSearch search(asked, {subject.file, common, folder / "runs", 1, 1e9});
     bench.targets.push_back(search.run(target));
     print_outcome(bench.targets.back());
   }
   bench.provenance.emplace_back("finished", results::utc_now());
   print_fronts(bench);
-  for (const std::string& problem : write_bench_report(bench, folder))
-    fmt::print(stderr, "figure not drawn: {}\n", problem);
+  run::print_undrawn(write_bench_report(bench, folder));
   fmt::print("report: {}\n", (folder / "report.html").string());
   if (run::is_interrupted())
     return run::exit_interrupted;

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
 namespace asperity::bench {
@@ -28,14 +27,6 @@ BenchTime time_of(std::vector<double> times) {
   const std::size_t n = times.size();
   return {0.5 * (times[(n - 1) / 2] + times[n / 2]), times.front(),
           times.back()};
-}
-
-const results::MethodRecord* method_in(const results::Result& result,
-                                       const std::string& name) {
-  for (const results::MethodRecord& method : result.methods)
-    if (method.name == name)
-      return &method;
-  return nullptr;
 }
 
 /// Returns the number at the beginning of a provenance entry of the run; 0 if
@@ -71,32 +62,12 @@ BenchPhases phases_of(const results::Result& result,
   return phases;
 }
 
-/// Returns the last line of the child's output. The title is skipped because it
-/// may come late where output is buffered.
-std::string last_words(const fs::path& log, const std::string& title) {
-  std::ifstream stream(log);
-  std::string line;
-  std::string last;
-  while (std::getline(stream, line))
-    if (!line.empty() && line.find(title) == std::string::npos)
-      last = line;
-  return last;
-}
-
 } // namespace
 
-struct BenchRunner::Once {
+struct BenchRunner::Once : BenchRun {
   ChildEnd end;
   double peak_memory = 0.0; ///< [B]
-  std::string problem;
-  BenchPhases phases;
-  BenchAnswer answer;
   Grid grid;
-  int steps = 0;
-  int failed_steps = 0;
-  int iterations = 0;
-  int transforms = 0;
-  double unknowns = not_a_number;
 };
 
 BenchRunner::BenchRunner(const cases::Case& contact_case,
@@ -116,38 +87,26 @@ bool BenchRunner::is_spent() const {
 BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
   const fs::path folder = options_.folder / fmt::format("run-{}", ++n_runs_);
   const fs::path log = options_.folder / "last-run.log";
-  std::vector<std::string> words{"run",
-                                 options_.case_file.string(),
-                                 "--methods",
-                                 point.method,
-                                 "--exactly",
-                                 "--no-report",
-                                 "--no-cache",
-                                 "--threads",
-                                 "1",
-                                 "--out",
-                                 folder.string()};
-  for (const std::vector<std::string>* overrides :
-       std::initializer_list<const std::vector<std::string>*>{&options_.common,
-                                                              &point.overrides})
-    for (const std::string& one : *overrides) {
-      words.emplace_back("--set");
-      words.push_back(one);
-    }
+  std::vector<std::string> overrides = options_.common;
+  overrides.insert(overrides.end(), point.overrides.begin(),
+                   point.overrides.end());
+  std::vector<std::string> words =
+      run::words_of_run(options_.case_file, overrides, {{point.method}, true});
+  words.insert(words.end(), {"--no-report", "--no-cache", "--threads", "1",
+                             "--out", folder.string()});
   Once once;
   once.end = run::run_self(words, log);
   const bool has_result = once.end.exit_code == run::exit_good ||
                           once.end.exit_code == run::exit_not_converged;
   if (!has_result) {
-    once.problem =
-        fmt::format("ended with exit code {}: {}", once.end.exit_code,
-                    last_words(log, case_.title));
+    once.problem = fmt::format("ended with exit code {}: {}",
+                               once.end.exit_code, run::end_of_log(log));
     fs::remove_all(folder);
     return once;
   }
   const results::Result result =
       results::read_result(folder, results::MapsInFile::large);
-  const results::MethodRecord* method = method_in(result, point.method);
+  const results::MethodRecord* method = result.method(point.method);
   if (method == nullptr || method->realizations.empty()) {
     fs::remove_all(folder);
     once.problem = "the result does not contain this method";
@@ -229,13 +188,7 @@ void BenchRunner::run(BenchPoint& point) {
         return std::abs(a.end.cpu_time - point.cpu.median) <
                std::abs(b.end.cpu_time - point.cpu.median);
       });
-  point.phases = middle.phases;
-  point.answer = middle.answer;
-  point.steps = middle.steps;
-  point.failed_steps = middle.failed_steps;
-  point.iterations = middle.iterations;
-  point.transforms = middle.transforms;
-  point.unknowns = middle.unknowns;
+  static_cast<BenchRun&>(point) = middle;
   if (middle.transforms > 0 && middle.grid.size() > 0)
     point.transform_pair = transform_pair(middle.grid);
 }

@@ -158,7 +158,7 @@ BenchPoint TargetSearch::run_at(const std::string& method,
                                 const std::vector<std::string>& more) {
   BenchPoint point;
   point.method = method;
-  point.kind = kind_of_method(method);
+  point.kind = cases::kind_of_method(method);
   point.points = points;
   point.is_reference = true; // one run is sufficient
   point.overrides = overrides_at({.method = method,
@@ -197,7 +197,7 @@ Forecast TargetSearch::forecast_of(const std::string& method,
 
 void TargetSearch::make_forecasts() {
   for (const cases::MethodSpec& method : case_.methods)
-    if (varies_with_points(kind_of_method(method.name)))
+    if (varies_with_points(cases::kind_of_method(method.name)))
       for (const std::string& element : elements_of(case_, method.name))
         forecasts_.push_back(forecast_of(method.name, element));
 }

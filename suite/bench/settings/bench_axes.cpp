@@ -148,7 +148,7 @@ std::vector<Axis> axes_of(const CaseValues& values, const std::string& method) {
   std::vector<Axis> axes;
   for (const Rule& rule : rules()) {
     const cases::Key* const key =
-        cases::find_key(kind_of_method(method), rule.key);
+        cases::find_key(cases::kind_of_method(method), rule.key);
     if (key == nullptr || !rule.acts(values, method))
       continue;
     const auto own = values.value(method, rule.key);

@@ -49,7 +49,8 @@ bool is_chosen(const MethodSpec& method,
                const std::vector<std::string>& names) {
   return names.empty() ||
          std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-           return name == method.name || name == kind_of_method(method.name);
+           return name == method.name ||
+                  name == cases::kind_of_method(method.name);
          });
 }
 
@@ -74,6 +75,43 @@ void add_theoretical_orders(const cases::Case& contact_case,
                    : "the grid misplaces the contact boundary by a fraction of "
                      "h: the area is of first order; energy and gap are "
                      "stationary in it and of second order";
+}
+
+/// Returns the smallest even number of points per side that is not below
+/// `least` and 16 and of the form 2^a 3^b 5^c, for which transforms are fast; a
+/// multiple of 16 if `least` exceeds 256.
+int transformable_points(int least) {
+  const int step = least > large_points ? 16 : 2;
+  int points = std::max(least_points, (least + step - 1) / step * step);
+  while (!transforms_well(points))
+    points += step;
+  return points;
+}
+
+/// Returns the overrides that define a method "halfspace" as the elastic
+/// half-space or slab, with hard contact, that corresponds to the case's block;
+/// empty if the case already has this method.
+std::vector<std::string> reference_overrides(const cases::Case& contact_case) {
+  const CaseValues values(contact_case);
+  const bool has_halfspace = std::any_of(
+      contact_case.methods.begin(), contact_case.methods.end(),
+      [](const MethodSpec& method) { return method.name == "halfspace"; });
+  std::vector<std::string> overrides;
+  const auto contact = values.value("halfspace", "contact");
+  if (!has_halfspace || (contact && contact->text != "hard"))
+    overrides.emplace_back("halfspace.contact=hard");
+  if (has_halfspace)
+    return overrides;
+  for (const MethodSpec& method : contact_case.methods)
+    if (cases::kind_of_method(method.name) == "fem") {
+      overrides.push_back(
+          "halfspace.thickness=" +
+          scaled_value(*values.value(method.name, "depth"), 1.0));
+      overrides.push_back("halfspace.top=" +
+                          values.value(method.name, "top")->text);
+      break;
+    }
+  return overrides;
 }
 
 /// Assembles the plan; a setting that two series share occurs once.
@@ -187,7 +225,7 @@ void Planner::add_points(const MethodSpec& method) {
 void Planner::add_points(const AddedMethod& method) {
   BenchSeries series{
       .method = method.name, .axis = points_axis, .title = "points per side"};
-  const std::string kind = kind_of_method(method.name);
+  const std::string kind = cases::kind_of_method(method.name);
   std::vector<int> carried = grids();
   if (!varies_with_points(kind) || own_points_ == 0)
     carried = {own_points_};
@@ -228,7 +266,7 @@ void Planner::add_axis(const MethodSpec& method, const Axis& axis) {
                      .theoretical_orders = {{"mean_gap", axis.order},
                                             {"elastic_energy", axis.order}},
                      .order_source = axis.source};
-  const std::string kind = kind_of_method(method.name);
+  const std::string kind = cases::kind_of_method(method.name);
   const int points = varies_with_points(kind) ? axis_points() : own_points_;
   const std::string grid =
       points == 0 ? "" : fmt::format("{} points, ", points);
@@ -284,14 +322,6 @@ BenchPlan Planner::plan() && {
 
 } // namespace
 
-int transformable_points(int least) {
-  const int step = least > large_points ? 16 : 2;
-  int points = std::max(least_points, (least + step - 1) / step * step);
-  while (!transforms_well(points))
-    points += step;
-  return points;
-}
-
 int least_carrying_points(const mechanics::SurfaceSpec& surface) {
   if (!surface.length || !(surface.wavevector_high > 0.0))
     return least_points;
@@ -313,29 +343,6 @@ std::vector<std::string> common_overrides(const cases::Case& contact_case,
          CaseValues(contact_case)
              .without_spacings(*surface.length / *surface.points))
       overrides.push_back(std::move(one));
-  return overrides;
-}
-
-std::vector<std::string> reference_overrides(const cases::Case& contact_case) {
-  const CaseValues values(contact_case);
-  const bool has_halfspace = std::any_of(
-      contact_case.methods.begin(), contact_case.methods.end(),
-      [](const MethodSpec& method) { return method.name == "halfspace"; });
-  std::vector<std::string> overrides;
-  const auto contact = values.value("halfspace", "contact");
-  if (!has_halfspace || (contact && contact->text != "hard"))
-    overrides.emplace_back("halfspace.contact=hard");
-  if (has_halfspace)
-    return overrides;
-  for (const MethodSpec& method : contact_case.methods)
-    if (kind_of_method(method.name) == "fem") {
-      overrides.push_back(
-          "halfspace.thickness=" +
-          scaled_value(*values.value(method.name, "depth"), 1.0));
-      overrides.push_back("halfspace.top=" +
-                          values.value(method.name, "top")->text);
-      break;
-    }
   return overrides;
 }
 

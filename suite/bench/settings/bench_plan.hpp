@@ -41,12 +41,8 @@ struct BenchPlanOptions {
 BenchPlan bench_plan_of(const cases::Case& contact_case,
                         const BenchPlanOptions& options);
 
-/// Returns the smallest even number of points per side that is not below
-/// `least` and 16 and of the form 2^a 3^b 5^c, for which transforms are fast; a
-/// multiple of 16 if `least` exceeds 256.
-int transformable_points(int least);
-
-/// Returns the smallest transformable_points() whose grid resolves all of the
+/// Returns the smallest number of points per side, even and of the form 2^a
+/// 3^b 5^c, for which transforms are fast, whose grid resolves all of the
 /// roughness in the case.
 int least_carrying_points(const mechanics::SurfaceSpec& surface);
 
@@ -55,10 +51,5 @@ int least_carrying_points(const mechanics::SurfaceSpec& surface);
 /// metres.
 std::vector<std::string> common_overrides(const cases::Case& contact_case,
                                           int realizations);
-
-/// Returns the overrides that define a method "halfspace" as the elastic
-/// half-space or slab, with hard contact, that corresponds to the case's block;
-/// empty if the case already has this method.
-std::vector<std::string> reference_overrides(const cases::Case& contact_case);
 
 } // namespace asperity::bench

@@ -49,7 +49,7 @@ std::vector<AddedMethod> same_block_methods(const cases::Case& contact_case,
                                             const cases::MethodSpec& method) {
   std::vector<AddedMethod> added;
   if (!is_block_on_mesh(contact_case, method) ||
-      method.name != kind_of_method(method.name) ||
+      method.name != cases::kind_of_method(method.name) ||
       !is_condensable(contact_case,
                       std::get<mechanics::FemSettings>(method.settings)))
     return added;

@@ -1,14 +1,13 @@
 #include "suite/bench/settings/case_values.hpp"
 
+#include "base/plain_text.hpp"
 #include "input/reader/vocabulary.hpp"
 #include "input/text/toml_text.hpp"
 #include "input/types/units.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace asperity::bench {
@@ -16,16 +15,6 @@ namespace {
 
 using cases::Node;
 using cases::NodeType;
-
-/// Splits a text into its leading number and the remainder.
-std::pair<double, std::string> split(const std::string& text) {
-  double number = std::numeric_limits<double>::quiet_NaN();
-  const auto [end, failure] =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc())
-    return {std::numeric_limits<double>::quiet_NaN(), text};
-  return {number, std::string(end, text.data() + text.size())};
-}
 
 void add_without_spacings(const Node& table, const std::string& path,
                           double spacing, std::vector<std::string>& overrides) {
@@ -35,7 +24,8 @@ void add_without_spacings(const Node& table, const std::string& path,
                            overrides);
       continue;
     }
-    const cases::Key* key = cases::find_key(kind_of_method(path), entry.key);
+    const cases::Key* key =
+        cases::find_key(cases::kind_of_method(path), entry.key);
     if (key == nullptr || entry.node.type != NodeType::text ||
         (key->dimension != cases::Dimension::length &&
          key->dimension != cases::Dimension::wavevector))
@@ -66,7 +56,7 @@ std::optional<Node> CaseValues::value(const std::string& table,
     if (path.find('.') == std::string::npos)
       break;
   }
-  const cases::Key* known = cases::find_key(kind_of_method(table), key);
+  const cases::Key* known = cases::find_key(cases::kind_of_method(table), key);
   if (known == nullptr || known->fallback.empty())
     return std::nullopt;
   return cases::parse_toml_value(known->fallback, {"the vocabulary", 0}, key);
@@ -86,12 +76,8 @@ std::vector<std::string> CaseValues::without_spacings(double spacing) const {
   return overrides;
 }
 
-std::string kind_of_method(const std::string& name) {
-  return name.substr(0, name.find('.'));
-}
-
 double leading_number(const Node& value) {
-  return value.is_number() ? value.number() : split(value.text).first;
+  return value.is_number() ? value.number() : number_and_rest(value.text).first;
 }
 
 std::string scaled_value(const Node& value, double factor) {
@@ -100,7 +86,7 @@ std::string scaled_value(const Node& value, double factor) {
         "{}", std::llround(static_cast<double>(value.integer) * factor));
   if (value.type == NodeType::floating)
     return fmt::format("{}", value.floating * factor);
-  const auto [number, unit] = split(value.text);
+  const auto [number, unit] = number_and_rest(value.text);
   return std::isfinite(number) ? fmt::format("{}{}", number * factor, unit)
                                : "";
 }

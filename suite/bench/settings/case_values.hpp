@@ -36,9 +36,6 @@ private:
   std::shared_ptr<const cases::Node> file_;
 };
 
-/// Returns "fem" for "fem.hard".
-std::string kind_of_method(const std::string& name);
-
 /// Returns the value multiplied by the factor, in its original unit, as an
 /// override writes it; empty if it is neither a number nor a quantity.
 std::string scaled_value(const cases::Node& value, double factor);
