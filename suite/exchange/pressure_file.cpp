@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <mutex>
 #include <vector>
 
 namespace asperity::exchange {
@@ -23,9 +22,8 @@ surfaces::Matrix read_text_matrix(const fs::path& path) {
   return {table.rows(), table.columns, std::move(table.numbers)};
 }
 
-surfaces::Matrix read_dataset(const fs::path& path, std::size_t most) {
-  const std::lock_guard lock(results::hdf5_mutex());
-  const results::Hdf5File file(path, results::Hdf5File::Mode::read);
+surfaces::Matrix read_dataset(const results::Hdf5File& file,
+                              const fs::path& path, std::size_t most) {
   const std::vector<std::string> names = file.children();
   const bool has_name = file.has("pressure");
   if (!has_name && names.size() != 1)
@@ -46,16 +44,6 @@ surfaces::Matrix read_dataset(const fs::path& path, std::size_t most) {
   return {extents[0], extents[1], file.numbers(name)};
 }
 
-/// The library may crash on a damaged file, so a child process reads it first.
-surfaces::Matrix read_hdf5_matrix(const fs::path& path, std::size_t most) {
-  results::require_readable(path, [&] { read_dataset(path, most); });
-  try {
-    return read_dataset(path, most);
-  } catch (const results::Hdf5Error& error) {
-    throw input::InputError(error.what());
-  }
-}
-
 } // namespace
 
 surfaces::Matrix read_pressure_file(const fs::path& path, std::size_t most) {
@@ -64,7 +52,9 @@ surfaces::Matrix read_pressure_file(const fs::path& path, std::size_t most) {
   if (ending == ".npy")
     matrix = surfaces::read_npy(path);
   else if (ending == ".h5" || ending == ".hdf5")
-    matrix = read_hdf5_matrix(path, most);
+    matrix = results::read_any_hdf5(path, [&](const results::Hdf5File& file) {
+      return read_dataset(file, path, most);
+    });
   else if (ending == ".csv" || ending == ".txt" || ending == ".dat")
     matrix = read_text_matrix(path);
   else

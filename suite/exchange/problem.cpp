@@ -3,6 +3,7 @@
 #include "base/content_hash.hpp"
 #include "base/field_sums.hpp"
 #include "base/json.hpp"
+#include "base/maximum.hpp"
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -218,10 +219,8 @@ void read_heights(const std::filesystem::path& folder,
   if (problem.rms_height == 0.0)
     throw input::InputError(
         fmt::format("{}: the surface is flat", file.string()));
-  for (const double length :
-       {problem.rms_height, grid.length_x, grid.length_y,
-        std::abs(*std::ranges::max_element(
-            problem.heights, {}, [](double h) { return std::abs(h); }))})
+  for (const double length : {problem.rms_height, grid.length_x, grid.length_y,
+                              largest_magnitude(problem.heights)})
     if (!(length >= mechanics::least_length &&
           length <= mechanics::largest_length))
       throw input::InputError(fmt::format(

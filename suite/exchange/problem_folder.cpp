@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -25,19 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// A matrix in Gwyddion's text format, which other programs read as well.
-std::string text_matrix(const Problem& problem) {
-  const Grid& grid = problem.grid;
-  std::string text = fmt::format("# Channel: {}\n# Width: {} m\n"
-                                 "# Height: {} m\n# Value units: m\n",
-                                 problem.name, grid.length_x, grid.length_y);
-  const auto columns = static_cast<std::size_t>(grid.points_x);
-  for (std::size_t i = 0; i < problem.heights.size(); ++i)
-    text += fmt::format("{}{}", problem.heights[i],
-                        (i + 1) % columns == 0 ? "\n" : "\t");
-  return text;
-}
 
 std::string hdf5_bytes(const Problem& problem, const fs::path& folder) {
   const fs::path path = temporary_beside(folder / "heights.h5");
@@ -88,31 +74,25 @@ std::vector<fs::path> problem_files_in(const fs::path& folder) {
   return files;
 }
 
-Json number_json(double number) {
-  return std::isfinite(number) ? Json(number) : Json(nullptr);
-}
-
 std::string reference_json(const Problem& problem,
                            std::span<const ProblemAnswer> answers,
                            std::span<const ContinuumAnswer> continuum) {
   Json discrete = Json::array();
   for (const ProblemAnswer& answer : answers)
-    discrete.push_back(
-        {{"nominal_pressure [Pa]", answer.nominal_pressure},
-         {"mean_gap [m]", answer.mean_gap},
-         {"mean_gap_error [m]", number_json(answer.mean_gap_error)},
-         {"contact_area_fraction [1]", answer.area_fraction},
-         {"elastic_energy [J/m^2]", answer.elastic_energy},
-         {"largest_pressure [Pa]", answer.largest_pressure}});
+    discrete.push_back({{"nominal_pressure [Pa]", answer.nominal_pressure},
+                        {"mean_gap [m]", answer.mean_gap},
+                        {"mean_gap_error [m]", answer.mean_gap_error},
+                        {"contact_area_fraction [1]", answer.area_fraction},
+                        {"elastic_energy [J/m^2]", answer.elastic_energy},
+                        {"largest_pressure [Pa]", answer.largest_pressure}});
   Json limit = Json::array();
   for (const ContinuumAnswer& answer : continuum)
     limit.push_back(
         {{"nominal_pressure [Pa]", answer.nominal_pressure},
-         {"mean_gap [m]", number_json(answer.mean_gap)},
-         {"mean_gap_error [m]", number_json(answer.mean_gap_error)},
-         {"contact_area_fraction [1]", number_json(answer.area_fraction)},
-         {"contact_area_fraction_error [1]",
-          number_json(answer.area_fraction_error)},
+         {"mean_gap [m]", answer.mean_gap},
+         {"mean_gap_error [m]", answer.mean_gap_error},
+         {"contact_area_fraction [1]", answer.area_fraction},
+         {"contact_area_fraction_error [1]", answer.area_fraction_error},
          {"source", answer.source}});
   const Json json{
       {"problem", problem.name},
@@ -183,9 +163,9 @@ void write_problem(const Problem& problem,
                             static_cast<std::size_t>(grid.points_y),
                             static_cast<std::size_t>(grid.points_x)));
   write("heights.h5", hdf5_bytes(problem, folder));
-  write("heights.txt", text_matrix(problem));
-  write("heights.gwy",
-        surfaces::gwyddion_bytes({grid, problem.heights}, problem.name));
+  const surfaces::HeightMap map{grid, problem.heights};
+  write("heights.txt", surfaces::gwyddion_text(map, problem.name));
+  write("heights.gwy", surfaces::gwyddion_bytes(map, problem.name));
   const std::string json =
       problem_json(problem, answers.front(), hashes,
                    mesh == nullptr ? Json() : mesh_json(*mesh));

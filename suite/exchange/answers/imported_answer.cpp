@@ -8,11 +8,9 @@
 #include "input/input_error.hpp"
 #include "results/observables/contact_stiffness.hpp"
 #include "results/types/method_columns.hpp"
-#include "run/methods/cache/cache.hpp"
-#include "run/methods/cache/case_keys.hpp"
 #include "run/methods/continuum_block.hpp"
 #include "run/methods/curve_row.hpp"
-#include "run/methods/elastic_method.hpp"
+#include "run/methods/methods.hpp"
 #include "suite/exchange/mistakes.hpp"
 
 #include <fmt/format.h>
@@ -25,9 +23,6 @@ namespace asperity::exchange {
 namespace {
 
 namespace fs = std::filesystem;
-using exchange::Problem;
-using exchange::Submission;
-using exchange::SubmittedLoad;
 
 /// Name of the method in the result: "contactmechanics-1.8.3-default".
 std::string method_name(const Submission& submission) {
@@ -144,17 +139,14 @@ bool ImportedAnswer::is_sound() const {
 std::unique_ptr<contact::SurfaceOperator>
 operator_of(const cases::Case& contact_case, const cases::MethodSpec& method,
             const methods::SurfaceOfCase& surface) {
-  methods::Cache none;
-  const methods::CaseKeys keys(contact_case, methods::program_identity(), {});
-  return methods::SolverFactory(contact_case.material, none, keys)
-      .operator_of(method, surface, 1);
+  return methods::MethodFactory(contact_case).operator_of(method, surface, 1);
 }
 
 ImportedAnswer import_answer(const fs::path& folder, const Problem& problem,
                              const methods::SurfaceOfCase& surface,
                              const MeshOperator& mesh) {
   ImportedAnswer answer;
-  answer.submission = exchange::read_submission(folder, problem);
+  answer.submission = read_submission(folder, problem);
   answer.method = method_name(answer.submission);
   const std::unique_ptr<contact::SurfaceOperator> elasticity =
       surface_operator(problem, problem.grid);

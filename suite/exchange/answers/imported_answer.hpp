@@ -38,7 +38,7 @@ struct ImportedLoad {
 };
 
 struct ImportedAnswer {
-  exchange::Submission submission; ///< its fields have been moved into `loads`
+  Submission submission;           ///< its fields have been moved into `loads`
   std::string method;              ///< "contactmechanics-1.8.3-default"
   std::vector<ImportedLoad> loads; ///< ascending in load
 
@@ -50,7 +50,7 @@ struct ImportedAnswer {
 inline constexpr const char* imported_body = "imported body";
 
 /// The surface of a problem, with the statistics that a result records.
-methods::SurfaceOfCase surface_of(const exchange::Problem& problem);
+methods::SurfaceOfCase surface_of(const Problem& problem);
 
 /// The operator behind a half-space or condensed method, without a cache.
 std::unique_ptr<contact::SurfaceOperator>
@@ -68,7 +68,7 @@ using MeshOperator = std::function<std::unique_ptr<contact::SurfaceOperator>(
 /// @throws input::InputError  the submission cannot be read, or a field cannot
 ///                            be certified
 ImportedAnswer import_answer(const std::filesystem::path& folder,
-                             const exchange::Problem& problem,
+                             const Problem& problem,
                              const methods::SurfaceOfCase& surface,
                              const MeshOperator& mesh = {});
 

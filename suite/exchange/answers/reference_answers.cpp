@@ -23,10 +23,6 @@
 namespace asperity::exchange {
 namespace {
 
-using exchange::ContinuumAnswer;
-using exchange::Problem;
-using exchange::ProblemAnswer;
-
 constexpr double reference_tolerance = 1e-10; // [h_rms]
 constexpr int most_reference_iterations = 20000;
 constexpr int most_reference_points = 1024;

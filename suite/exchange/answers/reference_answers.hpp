@@ -20,13 +20,13 @@ struct NoAnswer : std::runtime_error {
 
 /// A problem with its reference answers.
 struct AnsweredProblem {
-  exchange::Problem problem;
+  Problem problem;
   std::string method; ///< of the case, whose block is that of the problem
   /// How it is meshed: as the method does, a half-space by Q1 in the same way.
   mechanics::BlockSettings block;
-  std::vector<exchange::ProblemAnswer> answers;     ///< one per load
-  std::vector<std::vector<double>> pressures;       ///< of these answers [Pa]
-  std::vector<exchange::ContinuumAnswer> continuum; ///< one per load
+  std::vector<ProblemAnswer> answers;         ///< one per load
+  std::vector<std::vector<double>> pressures; ///< of these answers [Pa]
+  std::vector<ContinuumAnswer> continuum;     ///< one per load
 };
 
 /// The problem is the first realisation of the surface, pressed on the block of

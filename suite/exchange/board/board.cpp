@@ -57,14 +57,14 @@ std::vector<std::string> stated_problems(const fs::path& folder) {
 /// Copies the files of SHA256SUMS, and no others.
 /// @throws input::InputError  there is none, or a file is not that of the sum
 void copy_problem(const fs::path& home, const fs::path& copy) {
-  std::vector<std::string> names = exchange::verified_files(home);
+  std::vector<std::string> names = verified_files(home);
   if (names.empty())
     throw input::InputError(
         fmt::format("{}: is missing or empty; a problem is published with the "
                     "checksums of all its files, as asperity problem writes "
                     "them",
-                    (home / exchange::checksum_file).string()));
-  names.emplace_back(exchange::checksum_file);
+                    (home / checksum_file).string()));
+  names.emplace_back(checksum_file);
   fs::create_directories(copy);
   for (const std::string& name : names)
     fs::copy_file(home / name, copy / name,
@@ -108,13 +108,13 @@ BoardProblem board_problem(const fs::path& folder, const std::string& name,
     const AnsweredProblem answered = answered_problem(*read.contact_case, "");
     write_certified_problem(answered, "", copy);
   }
-  read.problem = exchange::read_problem(copy);
+  read.problem = read_problem(copy);
   if (read.problem.name != name)
     throw input::InputError(fmt::format(
         "{}: states the problem \"{}\", but its folder is {}: both must be the "
         "same",
         home.string(), read.problem.name, name));
-  exchange::References references = exchange::read_references(copy);
+  References references = read_references(copy);
   read.answers = std::move(references.discrete);
   read.continuum = std::move(references.continuum);
   return read;
@@ -128,7 +128,7 @@ double largest_error(const ImportedAnswer& answer,
   return largest;
 }
 
-void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
+void add_numbers(const ImportedAnswer& answer, const Problem& problem,
                  BoardEntry& entry) {
   entry.loads = answer.loads.size();
   entry.gap_error = largest_error(answer, [](const ImportedLoad& load) {
@@ -137,7 +137,6 @@ void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
   entry.pressure_error = largest_error(answer, [](const ImportedLoad& load) {
     return load.field.check.pressure_error;
   });
-  entry.timing = answer.submission.timing;
   entry.cpu_time = entry.cpu_time_low = entry.cpu_time_high = 0.0;
   entry.peak_memory = 0.0;
   for (const ImportedLoad& load : answer.loads) {
@@ -199,33 +198,24 @@ void add_continuum(const ImportedAnswer& answer, const BoardProblem& board,
 BoardEntry board_entry(const fs::path& folder, const fs::path& root,
                        const BoardProblem& board,
                        const methods::SurfaceOfCase& surface) {
-  const exchange::Problem& problem = board.problem;
+  const Problem& problem = board.problem;
   BoardEntry entry;
   entry.is_named = folder == root;
   entry.folder = entry.is_named ? folder.string()
                                 : folder.lexically_relative(root).string();
-  entry.problem = problem.name;
+  entry.answer.problem = problem.name;
   // <problem>/<code>/<version>, until the submission has been read.
   const fs::path below = entry.folder;
-  entry.code = below.parent_path().filename().string();
-  entry.version = below.filename().string();
+  entry.answer.code = below.parent_path().filename().string();
+  entry.answer.version = below.filename().string();
   try {
     if (!entry.is_named)
       input::require_own_file(root, folder);
-    const ImportedAnswer answer = import_answer(
+    ImportedAnswer answer = import_answer(
         folder, problem, surface, [&](const std::string& element) {
           return mesh_operator(board, surface, element);
         });
-    const exchange::Submission& submission = answer.submission;
-    entry.code = submission.code;
-    entry.version = submission.version;
-    entry.method = submission.method;
-    entry.accuracy = submission.accuracy;
-    entry.element = submission.element;
-    for (const std::string& author : submission.authors)
-      entry.credit += author + ", ";
-    entry.credit += submission.licence;
-    entry.machine = submission.machine;
+    entry.answer = std::move(answer.submission);
     if (answer.loads.empty()) {
       entry.state = BoardEntry::State::as_submitted;
       return entry;
@@ -253,7 +243,7 @@ answer_folders(const fs::path& folder, const std::vector<fs::path>& named) {
   input::require_own_file(folder, root);
   std::map<std::string, std::vector<AnswerFolder>> found;
   for (const fs::path& answer : named)
-    found[exchange::submitted_problem(answer)].push_back({answer, answer});
+    found[submitted_problem(answer)].push_back({answer, answer});
   for (const auto& [problem, folders] : submission_folders(root))
     if (named.empty() || found.contains(problem))
       for (const fs::path& answer : folders)

@@ -25,14 +25,9 @@ struct BoardEntry {
   };
   std::string folder; ///< below the folder of submissions, or as it was named
   bool is_named = false; ///< named beside the board, not one of its folder
-  std::string problem;
-  std::string code;
-  std::string version;
-  std::string method;
-  std::string accuracy; ///< "default" or "best"
-  std::string element;  ///< of the problem's mesh; empty: computed without it
-  std::string credit;   ///< authors and licence
-  std::string machine;
+  /// Without its fields; of one that cannot be read, the problem and what its
+  /// folder is called.
+  Submission answer;
   State state = State::failed;
   std::vector<std::string> reasons; ///< why it failed
   std::size_t loads = 0;            ///< number of fields
@@ -49,18 +44,17 @@ struct BoardEntry {
   double cpu_time_low = not_a_number;  ///< sum of the loads' ends [s]
   double cpu_time_high = not_a_number; ///< likewise
   double peak_memory = not_a_number;   ///< the largest of all loads [bytes]
-  std::optional<Timing> timing;        ///< none: the time is "as submitted"
   int iterations = 0;                  ///< of all loads; 0: not stated
 };
 
 /// A problem, its reference answers and its entries.
 struct BoardProblem {
-  exchange::Problem problem;
+  Problem problem;
   /// From which it was computed, with the mesh of its [fem]; none: it is given
   /// by its files.
   std::optional<cases::Case> contact_case;
-  std::vector<exchange::ProblemAnswer> answers;
-  std::vector<exchange::ContinuumAnswer> continuum;
+  std::vector<ProblemAnswer> answers;
+  std::vector<ContinuumAnswer> continuum;
   /// Certified first, then those with all loads, in ascending error.
   std::vector<BoardEntry> entries;
 };

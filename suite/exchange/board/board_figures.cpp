@@ -12,7 +12,7 @@ namespace asperity::exchange {
 namespace {
 
 bool has_point(const BoardEntry& entry) {
-  return entry.state == BoardEntry::State::certified && entry.timing &&
+  return entry.state == BoardEntry::State::certified && entry.answer.timing &&
          entry.missing_loads == 0 && std::isfinite(entry.cpu_time) &&
          entry.gap_error > 0.0;
 }
@@ -20,15 +20,16 @@ bool has_point(const BoardEntry& entry) {
 std::vector<std::string> codes_of(const std::vector<BoardEntry>& entries) {
   std::vector<std::string> codes;
   for (const BoardEntry& entry : entries)
-    if (has_point(entry) && std::ranges::find(codes, entry.code) == codes.end())
-      codes.push_back(entry.code);
+    if (has_point(entry) &&
+        std::ranges::find(codes, entry.answer.code) == codes.end())
+      codes.push_back(entry.answer.code);
   std::ranges::sort(codes);
   return codes;
 }
 
 } // namespace
 
-reports::Figure surface_figure(const exchange::Problem& problem) {
+reports::Figure surface_figure(const Problem& problem) {
   const Grid& grid = problem.grid;
   const reports::MapImage image =
       reports::map_image(grid, problem.heights, problem.rms_height);
@@ -75,10 +76,10 @@ reports::Figure error_figure(const BoardProblem& problem) {
       const std::size_t index = 2 * c + (is_best ? 1 : 0);
       bool has_any = false;
       for (const BoardEntry& entry : problem.entries)
-        if (has_point(entry) && entry.code == codes[c] &&
-            (entry.accuracy == "best") == is_best) {
+        if (has_point(entry) && entry.answer.code == codes[c] &&
+            (entry.answer.accuracy == "best") == is_best) {
           table.add(
-              entry.code + " " + entry.version,
+              entry.answer.code + " " + entry.answer.version,
               {static_cast<double>(index), entry.cpu_time, entry.gap_error});
           has_any = true;
         }
@@ -117,14 +118,16 @@ reports::Figure mesh_figure(const BoardProblem& problem, MeshCost cost) {
   std::size_t index = 0;
   for (const BoardEntry& entry : problem.entries)
     if (has_point(entry) && entry.continuum_error > 0.0) {
-      const std::string label = entry.code + " " + entry.version +
-                                (entry.accuracy == "best" ? ", best" : "");
+      const std::string label =
+          entry.answer.code + " " + entry.answer.version +
+          (entry.answer.accuracy == "best" ? ", best" : "");
       table.add(label, {static_cast<double>(index),
                         is_time ? entry.cpu_time : 1e-6 * entry.peak_memory,
                         entry.continuum_error});
       panel.add(label,
                 reports::markers(reports::method_color(index),
-                                 entry.accuracy == "best" ? 7 : 6, 0.9, 1.4),
+                                 entry.answer.accuracy == "best" ? 7 : 6, 0.9,
+                                 1.4),
                 index, 3, 4);
       figure.problem.clear();
       ++index;

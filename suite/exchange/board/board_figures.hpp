@@ -8,7 +8,7 @@
 namespace asperity::exchange {
 
 /// The heights as a picture.
-reports::Figure surface_figure(const exchange::Problem& problem);
+reports::Figure surface_figure(const Problem& problem);
 
 /// Certified error against CPU time of the certified entries that state a time,
 /// one colour per code, filled for best accuracy. Its problem is set if no

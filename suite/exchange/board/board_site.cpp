@@ -39,7 +39,7 @@ const BoardEntry* leading(const BoardProblem& problem,
                           const std::string& accuracy) {
   for (const BoardEntry& entry : problem.entries)
     if (entry.state == BoardEntry::State::certified &&
-        entry.missing_loads == 0 && entry.accuracy == accuracy)
+        entry.missing_loads == 0 && entry.answer.accuracy == accuracy)
       return &entry;
   return nullptr;
 }
@@ -56,13 +56,13 @@ std::string body_words(const mechanics::ElasticBlock& body) {
 
 /// An entry as board.json has it.
 Json entry_json(const BoardEntry& entry) {
-  return {{"problem", entry.problem},
+  return {{"problem", entry.answer.problem},
           {"folder", entry.folder},
-          {"code", entry.code},
-          {"version", entry.version},
-          {"method", entry.method},
-          {"accuracy", entry.accuracy},
-          {"element", entry.element},
+          {"code", entry.answer.code},
+          {"version", entry.answer.version},
+          {"method", entry.answer.method},
+          {"accuracy", entry.answer.accuracy},
+          {"element", entry.answer.element},
           {"is_certified", entry.state == BoardEntry::State::certified},
           {"is_as_submitted", entry.state == BoardEntry::State::as_submitted},
           {"reasons", entry.reasons},
@@ -75,7 +75,8 @@ Json entry_json(const BoardEntry& entry) {
           {"cpu_time [s]", entry.cpu_time},
           {"cpu_time_low [s]", entry.cpu_time_low},
           {"cpu_time_high [s]", entry.cpu_time_high},
-          {"timing_run", entry.timing ? Json(entry.timing->run) : Json()},
+          {"timing_run",
+           entry.answer.timing ? Json(entry.answer.timing->run) : Json()},
           {"peak_memory [B]", entry.peak_memory},
           {"iterations", entry.iterations}};
 }
@@ -83,29 +84,34 @@ Json entry_json(const BoardEntry& entry) {
 /// The interval of a CPU time and the run that it belongs to, or "as submitted"
 /// if nothing says how it was measured.
 std::string time_note(const BoardEntry& entry) {
-  if (!entry.timing)
+  if (!entry.answer.timing)
     return std::isnan(entry.cpu_time) ? "" : "as submitted";
   return (std::isnan(entry.cpu_time_low + entry.cpu_time_high)
               ? std::string()
               : fmt::format("{:.3g} to {:.3g}; ", entry.cpu_time_low,
                             entry.cpu_time_high)) +
-         fmt::format("run {}, {} pairs, {} thread{}", entry.timing->run,
-                     entry.timing->pairs, entry.timing->threads,
-                     entry.timing->threads == 1 ? "" : "s");
+         fmt::format("run {}, {} pairs, {} thread{}", entry.answer.timing->run,
+                     entry.answer.timing->pairs, entry.answer.timing->threads,
+                     entry.answer.timing->threads == 1 ? "" : "s");
 }
 
 /// An entry of board.json with what the tables of the pages show beside it.
 Json row_of(const BoardEntry& entry) {
   Json row = entry_json(entry);
-  row["title"] = entry.code + " " + entry.version;
+  row["title"] = entry.answer.code + " " + entry.answer.version;
   row["is_named"] = entry.is_named;
-  row["code_page"] = code_page_name(entry.code);
-  row["problem_page"] = problem_page_name(entry.problem);
-  row["accuracy_word"] = entry.accuracy.empty() ? "–" : entry.accuracy;
+  row["code_page"] = code_page_name(entry.answer.code);
+  row["problem_page"] = problem_page_name(entry.answer.problem);
+  row["accuracy_word"] =
+      entry.answer.accuracy.empty() ? "–" : entry.answer.accuracy;
   row["continuum_uncertainty [h_rms]"] = entry.continuum_uncertainty;
   row["time_note"] = time_note(entry);
-  row["credit"] = entry.credit;
-  row["machine"] = entry.machine;
+  row["credit"] =
+      entry.answer.authors.empty()
+          ? ""
+          : fmt::format("{}, {}", fmt::join(entry.answer.authors, ", "),
+                        entry.answer.licence);
+  row["machine"] = entry.answer.machine;
   row["state"] = entry.state == BoardEntry::State::certified ? "certified"
                  : entry.state == BoardEntry::State::as_submitted
                      ? "as submitted"
@@ -155,23 +161,23 @@ std::vector<RankedAnswers> ranked_answers(const BoardProblem& problem) {
     if (entry.state != BoardEntry::State::certified)
       continue;
     const auto found = std::ranges::find_if(rows, [&](RankedAnswers& row) {
-      return row.any().code == entry.code &&
-             row.any().version == entry.version &&
+      return row.any().answer.code == entry.answer.code &&
+             row.any().answer.version == entry.answer.version &&
              row.any().is_named == entry.is_named &&
              row.any().missing_loads == entry.missing_loads &&
-             row.at(entry.accuracy) == nullptr;
+             row.at(entry.answer.accuracy) == nullptr;
     });
     RankedAnswers& row = found == rows.end() ? rows.emplace_back() : *found;
-    row.at(entry.accuracy) = &entry;
+    row.at(entry.answer.accuracy) = &entry;
   }
   return rows;
 }
 
 std::string method_words(const RankedAnswers& row) {
-  std::string words = row.any().method;
+  std::string words = row.any().answer.method;
   if (row.at_default != nullptr && row.at_best != nullptr &&
-      row.at_best->method != words)
-    words += " (default); " + row.at_best->method + " (best)";
+      row.at_best->answer.method != words)
+    words += " (default); " + row.at_best->answer.method + " (best)";
   if (row.any().missing_loads > 0)
     words += fmt::format("; {} of {} loads", row.any().loads,
                          row.any().loads + row.any().missing_loads);
@@ -272,7 +278,7 @@ std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
     add({std::move(errors)}, page["ranked"]);
   if (std::ranges::any_of(problem.entries, [](const BoardEntry& entry) {
         return entry.state == BoardEntry::State::certified &&
-               !entry.element.empty();
+               !entry.answer.element.empty();
       })) {
     page["meshed"] = table_of(rows_in(problem, BoardEntry::State::certified));
     add({mesh_figure(problem, MeshCost::time),
@@ -288,7 +294,7 @@ std::string code_page(const std::string& code,
   Json rows = Json::array();
   for (const BoardProblem& problem : board)
     for (const BoardEntry& entry : problem.entries)
-      if (entry.code == code)
+      if (entry.answer.code == code)
         rows.push_back(row_of(entry));
   return html_of({{"title", code},
                   {"lead", "All answers of this code."},
@@ -344,8 +350,9 @@ void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
                           problem_page(problem, site / "figures"));
     for (const BoardEntry& entry : problem.entries) {
       list.push_back(entry_json(entry));
-      ++codes[entry.code].first;
-      codes[entry.code].second += entry.state == BoardEntry::State::certified;
+      ++codes[entry.answer.code].first;
+      codes[entry.answer.code].second +=
+          entry.state == BoardEntry::State::certified;
     }
   }
   write_file_atomically(site / "board.json", text_of_json(list, 2) + "\n");
