@@ -9,7 +9,6 @@
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
-#include <limits>
 #include <poll.h>
 #include <sstream>
 #include <sys/mman.h>

@@ -3,7 +3,6 @@
 #include "base/refused_argument.hpp"
 #include "base/require.hpp"
 
-#include <cmath>
 #include <numeric>
 
 namespace asperity::meshes {

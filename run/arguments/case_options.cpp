@@ -18,7 +18,6 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 namespace asperity::run {
 namespace {

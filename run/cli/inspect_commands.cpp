@@ -18,8 +18,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace asperity::cli {
 namespace {
 

@@ -31,7 +31,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <utility>
 
 namespace asperity::cli {
 run::RunOptions options_of(const run::ReadCase& read,

@@ -8,7 +8,6 @@
 #include "run/plan/plan.hpp"
 #include "surfaces/inner_roughness.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

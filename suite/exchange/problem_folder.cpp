@@ -17,7 +17,6 @@
 #include <map>
 #include <mutex>
 #include <sstream>
-#include <utility>
 
 namespace asperity::exchange {
 namespace {

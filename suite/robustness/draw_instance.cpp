@@ -13,9 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <optional>
 
 namespace asperity::robustness {
 namespace {

@@ -3,7 +3,6 @@
 #include "base/special_numbers.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace asperity::robustness {
 namespace {

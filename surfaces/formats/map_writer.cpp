@@ -16,7 +16,6 @@
 #include <iterator>
 #include <mutex>
 #include <span>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>

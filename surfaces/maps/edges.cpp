@@ -5,7 +5,6 @@
 #include <numbers>
 #include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace asperity::surfaces {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 namespace asperity::surfaces::exact_shapes_test {
 

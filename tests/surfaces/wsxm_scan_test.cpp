@@ -3,8 +3,6 @@
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/map_files.hpp"
 
-#include <cmath>
-
 namespace asperity::surfaces::wsxm_scan_test {
 
 using namespace tests_of_formats;
