@@ -73,18 +73,11 @@ TEST(ShippedCases, AreReadInFullAndQuickly) {
 
 // A case has its claim, and the published numbers, unless none are published.
 TEST(ShippedCases, HaveTheirClaimAndTheirReferences) {
-  const std::set<std::string> without_numbers = {"adhesive-atoms",
-                                                 "adhesive-rough",
-                                                 "board/near-full-contact",
-                                                 "cattaneo",
-                                                 "challenge",
-                                                 "conductance",
-                                                 "hardness",
-                                                 "paper/finite-size-2",
-                                                 "paper/finite-size-4",
-                                                 "peers/full-contact",
-                                                 "plastic-rough",
-                                                 "seal"};
+  const std::set<std::string> without_numbers = {
+      "adhesive-atoms",     "adhesive-rough",      "board/near-full-contact",
+      "cattaneo",           "challenge",           "conductance",
+      "hardness",           "paper/finite-size-2", "paper/finite-size-4",
+      "peers/full-contact", "plastic-rough",       "seal"};
   for (const std::string& name : shipped()) {
     const std::string folder = "cases/" + name;
     const std::string readme = text_of(folder + "/README.md");
