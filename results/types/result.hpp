@@ -7,10 +7,10 @@
 #include "results/types/map_in_cell.hpp"
 #include "results/types/map_view.hpp"
 
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <string>
 #include <utility>
@@ -150,9 +150,11 @@ struct MethodRecord {
   std::string contact = "pressure";
 
   /// The rows of all realisations.
-  auto rows() const {
-    return realizations | std::views::transform(&Curve::points) |
-           std::views::join;
+  std::vector<std::reference_wrapper<const CurvePoint>> rows() const {
+    std::vector<std::reference_wrapper<const CurvePoint>> all;
+    for (const Curve& curve : realizations)
+      all.insert(all.end(), curve.points.begin(), curve.points.end());
+    return all;
   }
 };
 
