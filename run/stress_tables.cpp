@@ -135,9 +135,10 @@ results::Table stress_table(const std::string& method,
     const auto [peak, largest_shear] = stress.strongest(map);
     const std::size_t columns = static_cast<std::size_t>(map.grid.points_x);
     const std::size_t node = map.map.node_on_map(peak.node, map.grid);
+    const std::size_t line = node / columns;
     table.add({map.nominal_pressure, peak.von_mises, largest_shear, peak.depth,
                static_cast<double>(node % columns) * map.grid.spacing_x(),
-               static_cast<double>(node / columns) * map.grid.spacing_y()});
+               static_cast<double>(line) * map.grid.spacing_y()});
   }
   return table;
 }
