@@ -12,6 +12,27 @@
 #include <vector>
 
 namespace asperity::reports {
+
+double largest_tension(std::span<const results::CurvePoint> rows) {
+  double largest = 0.0;
+  for (const results::CurvePoint& row : rows)
+    largest = std::max({largest, -row.nominal_pressure,
+                        std::fmax(0.0, -row[columns::jump_pressure])});
+  return largest;
+}
+
+std::string why_more_may_hold(std::span<const results::CurvePoint> rows) {
+  const auto [least, largest] = std::ranges::minmax_element(
+      rows, {}, &results::CurvePoint::nominal_pressure);
+  if (rows.empty() || !(least->nominal_pressure < 0.0))
+    return "";
+  if (least + 1 == rows.end())
+    return "because the faces hold it at the end of the path";
+  return largest->nominal_pressure < 0.0
+             ? "because the path turns back before the faces bear a load"
+             : "";
+}
+
 namespace {
 
 using results::CurvePoint;
@@ -22,14 +43,6 @@ std::vector<CurvePoint> converged_rows(const results::Curve& curve) {
     if (row.status == results::StepStatus::converged)
       rows.push_back(row);
   return rows;
-}
-
-double largest_tension(const std::vector<CurvePoint>& rows) {
-  double largest = 0.0;
-  for (const CurvePoint& row : rows)
-    largest = std::max({largest, -row.nominal_pressure,
-                        std::fmax(0.0, -row[columns::jump_pressure])});
-  return largest;
 }
 
 /// The largest tension of a path over E*, which one that was interrupted has

@@ -7,6 +7,9 @@
 
 #include "reports/analysis/summary.hpp"
 
+#include <span>
+#include <string>
+
 namespace asperity::theory {
 struct HertzContact;
 } // namespace asperity::theory
@@ -70,6 +73,14 @@ void add_exact_quantities(const results::Result& result,
                           const cases::Case& contact_case,
                           const results::MethodRecord& method,
                           MethodSummary& summary);
+
+/// The largest tension of the rows of a path [Pa] >= 0, with that before a
+/// jump.
+double largest_tension(std::span<const results::CurvePoint> rows);
+
+/// Why faces may hold more than the largest tension of a path; "" if it shows
+/// none, or its maximum was passed.
+std::string why_more_may_hold(std::span<const results::CurvePoint> rows);
 
 /// Adds, for a method with adhesion, pull_off_pressure, dissipated_energy, for
 /// a one-dimensional wave adhesive_wave_error, for a sphere with Dugdale's law

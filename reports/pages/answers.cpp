@@ -2,6 +2,7 @@
 
 #include "base/json.hpp"
 #include "reports/analysis/comparison.hpp"
+#include "reports/analysis/exact.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/surface_theory.hpp"
 #include "reports/numbers/number_text.hpp"
@@ -120,23 +121,6 @@ mechanics::Roughness judged_roughness(const cases::Case& contact_case,
 /// stick: without a jump the way back is the way there.
 constexpr double least_loss = 0.01;
 
-/// Why faces may hold more than the largest tension of a path; "" if its
-/// maximum was passed.
-std::string why_more_may_hold(const results::MethodRecord& method) {
-  for (const results::Curve& curve : method.realizations) {
-    const std::vector<results::CurvePoint>& rows = curve.points;
-    const auto [least, largest] = std::ranges::minmax_element(
-        rows, {}, &results::CurvePoint::nominal_pressure);
-    if (rows.empty() || !(least->nominal_pressure < 0.0))
-      continue;
-    if (least + 1 == rows.end())
-      return "because the faces hold it at the end of the path";
-    if (largest->nominal_pressure < 0.0)
-      return "because the path turns back before the faces bear a load";
-  }
-  return "";
-}
-
 /// Whether the faces stick, by what a closed path loses and otherwise by the
 /// criterion: the sentence of a method with adhesion, else "".
 std::string adhesive_sentence(const ReportEntry& entry,
@@ -169,7 +153,9 @@ std::string adhesive_sentence(const ReportEntry& entry,
                          "and back",
                          digits_text(100.0 * lost, 2));
   const std::string joint = lost >= least_loss ? ", and" : ":";
-  const std::string bound = why_more_may_hold(method);
+  std::string bound;
+  for (const results::Curve& curve : method.realizations)
+    bound = bound.empty() ? why_more_may_hold(curve.points) : bound;
   if (is_pulled)
     words += joint + " the largest tension is " +
              (bound.empty() ? "" : "at least ") +

@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/json.hpp"
 #include "base/read_file.hpp"
+#include "reports/analysis/exact.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/explore/packed.hpp"
 #include "reports/numbers/number_text.hpp"
@@ -284,6 +285,31 @@ Json key_rows(const SweepRecord& record) {
   return rows;
 }
 
+/// The largest tension of samples with adhesion, whose loads are gaps of their
+/// own; "" if there are fewer than two.
+std::string tension_sentence(const SweptResults& results) {
+  std::vector<double> tensions;
+  bool is_bound = false;
+  for (const auto& result : results)
+    for (const SweptCurve& curve : result->curves)
+      if (const Estimate* const pull =
+              swept_estimate(*result, curve.method, "pull_off_pressure");
+          pull != nullptr && pull->has_value()) {
+        tensions.push_back(largest_tension(curve.rows));
+        is_bound = is_bound || !why_more_may_hold(curve.rows).empty();
+        break;
+      }
+  if (tensions.size() < 2)
+    return "";
+  const Spread spread = spread_of(tensions);
+  return fmt::format(
+      "The largest tension is {}{} (standard deviation {}) over "
+      "{} maps{}.",
+      is_bound ? "at least " : "", quantity_text(spread.mean, "Pa", 3),
+      quantity_text(spread.deviation, "Pa", 2), tensions.size(),
+      is_bound ? ", because some paths end or turn back in tension" : "");
+}
+
 /// @param answer  in the place of verdicts, if nothing is expected; may be ""
 void set_banner(Json& page, const SweptResults& results,
                 const std::string& answer) {
@@ -357,7 +383,10 @@ SweepReport write_sweep_report(const SweepRecord& record,
   write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
   const std::vector<SweepLimit> limits = sweep_limits(record, results);
   const SampleLoads loads = sample_loads(record, results);
+  const std::string tension = tension_sentence(results);
   report.answer = sample_loads_text(loads);
+  if (report.answer.empty() && !tension.empty())
+    report.answer = tension + "\n";
   if (!loads.loads.empty())
     write_file_atomically(out / "loads.csv", sample_loads_csv(loads));
   const std::vector<FigureGroup> figures{
@@ -376,7 +405,8 @@ SweepReport write_sweep_report(const SweepRecord& record,
   Json page;
   page["limit_heads"] = quantities_with_limits;
   page["limits"] = limit_rows(limits);
-  set_banner(page, results, sample_sentence(loads));
+  set_banner(page, results,
+             loads.loads.empty() ? tension : sample_sentence(loads));
   set_loads(page, loads);
   write_page(sweep_template,
              page_of(std::move(page), record, results, groups, out), groups,

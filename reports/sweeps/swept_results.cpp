@@ -24,9 +24,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The quantities that figures show first.
-constexpr std::array<std::string_view, 8> first_quantities{
-    "gamma_matched",        "gamma_slope", "kappa",       "area_scale",
-    "area_scale_corrected", "beta",        "gamma_curve", "gamma_energy"};
+constexpr std::array<std::string_view, 10> first_quantities{
+    "pull_off_pressure",
+    "dissipated_energy",
+    "gamma_matched",
+    "gamma_slope",
+    "kappa",
+    "area_scale",
+    "area_scale_corrected",
+    "beta",
+    "gamma_curve",
+    "gamma_energy"};
 
 std::optional<SpectrumPoint>
 spectrum_point(const mechanics::SurfaceSpec& surface) {

@@ -102,6 +102,27 @@ TEST_F(AdhesionTest, AMapWithFreeEdgesIsPulledUntilItParts) {
       << held.output;
 }
 
+// Several maps have gaps of their own as loads: the page leads with the
+// tension.
+TEST_F(AdhesionTest, SeveralMapsStateTheirLargestTension) {
+  std::filesystem::create_directory(folder / "maps");
+  write("maps/a.txt", bump());
+  write("maps/b.txt", "9" + bump().substr(1));
+  const Ended ended =
+      run("run maps --length \"1 um\" --height-unit nm --contact-modulus \"2 "
+          "GPa\" --work-of-adhesion \"50 mJ/m^2\" --out both");
+  ASSERT_EQ(ended.exit_code, 0) << ended.output;
+  EXPECT_NE(ended.output.find("The largest tension is at least 1"),
+            std::string::npos)
+      << ended.output;
+  EXPECT_NE(ended.output.find("over 2 maps, because some paths end or turn "
+                              "back in tension."),
+            std::string::npos)
+      << ended.output;
+  const std::string page = text_of(folder / "both/report.html");
+  EXPECT_EQ(page.find("states no expectation"), std::string::npos);
+}
+
 // Without an open node there is no smallest stiffness, and the result can be
 // read.
 TEST_F(AdhesionTest, FullContactIsAResult) {
