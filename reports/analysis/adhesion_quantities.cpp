@@ -13,6 +13,14 @@
 
 namespace asperity::reports {
 
+std::vector<results::CurvePoint> converged_rows(const results::Curve& curve) {
+  std::vector<results::CurvePoint> rows;
+  for (const results::CurvePoint& row : curve.points)
+    if (row.status == results::StepStatus::converged)
+      rows.push_back(row);
+  return rows;
+}
+
 double largest_tension(std::span<const results::CurvePoint> rows) {
   double largest = 0.0;
   for (const results::CurvePoint& row : rows)
@@ -22,28 +30,22 @@ double largest_tension(std::span<const results::CurvePoint> rows) {
 }
 
 std::string why_more_may_hold(std::span<const results::CurvePoint> rows) {
-  const auto [least, largest] = std::ranges::minmax_element(
-      rows, {}, &results::CurvePoint::nominal_pressure);
-  if (rows.empty() || !(least->nominal_pressure < 0.0))
+  const double tension = largest_tension(rows);
+  if (!(tension > 0.0))
     return "";
-  if (least + 1 == rows.end())
+  if (rows.back().nominal_pressure == -tension)
     return "because the faces hold it at the end of the path";
-  return largest->nominal_pressure < 0.0
-             ? "because the path turns back before the faces bear a load"
+  return std::ranges::all_of(rows,
+                             [](const results::CurvePoint& row) {
+                               return row.nominal_pressure < 0.0;
+                             })
+             ? "because the path never presses the faces"
              : "";
 }
 
 namespace {
 
 using results::CurvePoint;
-
-std::vector<CurvePoint> converged_rows(const results::Curve& curve) {
-  std::vector<CurvePoint> rows;
-  for (const CurvePoint& row : curve.points)
-    if (row.status == results::StepStatus::converged)
-      rows.push_back(row);
-  return rows;
-}
 
 /// The largest tension of a path over E*, which one that was interrupted has
 /// not reached, and one whose loads all press does not show.

@@ -9,6 +9,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace asperity::theory {
 struct HertzContact;
@@ -74,12 +75,15 @@ void add_exact_quantities(const results::Result& result,
                           const results::MethodRecord& method,
                           MethodSummary& summary);
 
-/// The largest tension of the rows of a path [Pa] >= 0, with that before a
-/// jump.
+/// The rows of a path that have converged.
+std::vector<results::CurvePoint> converged_rows(const results::Curve& curve);
+
+/// The largest tension of the converged rows of a path [Pa] >= 0, with that
+/// before a jump.
 double largest_tension(std::span<const results::CurvePoint> rows);
 
-/// Why faces may hold more than the largest tension of a path; "" if it shows
-/// none, or its maximum was passed.
+/// Why faces may hold more than the largest tension of these rows; "" if they
+/// show none, or its maximum was passed.
 std::string why_more_may_hold(std::span<const results::CurvePoint> rows);
 
 /// Adds, for a method with adhesion, pull_off_pressure, dissipated_energy, for

@@ -155,7 +155,7 @@ std::string adhesive_sentence(const ReportEntry& entry,
   const std::string joint = lost >= least_loss ? ", and" : ":";
   std::string bound;
   for (const results::Curve& curve : method.realizations)
-    bound = bound.empty() ? why_more_may_hold(curve.points) : bound;
+    bound = bound.empty() ? why_more_may_hold(converged_rows(curve)) : bound;
   if (is_pulled)
     words += joint + " the largest tension is " +
              (bound.empty() ? "" : "at least ") +

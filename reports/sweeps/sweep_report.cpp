@@ -307,7 +307,8 @@ std::string tension_sentence(const SweptResults& results) {
       "{} maps{}.",
       is_bound ? "at least " : "", quantity_text(spread.mean, "Pa", 3),
       quantity_text(spread.deviation, "Pa", 2), tensions.size(),
-      is_bound ? ", because some paths end or turn back in tension" : "");
+      is_bound ? ", because some paths end in tension or never press the faces"
+               : "");
 }
 
 /// @param answer  in the place of verdicts, if nothing is expected; may be ""
