@@ -53,11 +53,13 @@ struct OpeningGaps {
 
 OpeningGaps opening_gaps(const theory::MagnifiedContact& contact) {
   constexpr int intervals = 200;
+  // Of a spectrum of shells, the first and the last one are between them.
+  constexpr double beyond = 1e-9;
+  const double lowest = contact.lowest_magnification() * (1.0 - beyond);
   const double ratio =
-      contact.highest_magnification() / contact.lowest_magnification();
+      contact.highest_magnification() * (1.0 + beyond) / lowest;
   const auto magnification = [&](int i) {
-    return contact.lowest_magnification() *
-           std::pow(ratio, static_cast<double>(i) / intervals);
+    return lowest * std::pow(ratio, static_cast<double>(i) / intervals);
   };
   OpeningGaps opening;
   for (int i = 0; i < intervals; ++i) {

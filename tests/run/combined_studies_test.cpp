@@ -525,6 +525,22 @@ TEST_F(CombinedStudies, OfATheoryWithAHardnessEndAtTheLargestLoad) {
   }
 }
 
+// A wave is one shell of its spectrum: where it is resolved, 1 - A opens to
+// u_1 = u/(1 - A), and the effective medium has K = u_1^3 (1 - 2A).
+TEST_F(CombinedStudies, OfTheTheoryOfAWaveAreThoseOfItsOneGap) {
+  const Result result =
+      run({"theory.gamma=0.4", "report.stress_inside=false",
+           "load.nominal_pressure=[\"1 MPa\", \"10 MPa\"]",
+           "surface={ kind = \"wave-2d\", length = 1e-6, points = 16, "
+           "amplitude = 1e-8, wavelength = 1e-6 }"});
+  for (const CurvePoint& row : rows_of(result, "theory")) {
+    const double open = 1.0 - row.area_fraction;
+    EXPECT_NEAR(row[columns::effective_medium] /
+                    (std::pow(row.mean_gap / open, 3.0) * (2.0 * open - 1.0)),
+                1.0, 1e-9);
+  }
+}
+
 // A gap that is smaller than the smallest number leaves no flow factor.
 TEST_F(CombinedStudies, OfATheoryWithoutAGapSayThatItHasNoFlowFactor) {
   const Result result = run({"theory.gamma=0.4", "report.stress_inside=false",
