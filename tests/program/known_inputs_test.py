@@ -136,9 +136,13 @@ def ridge(at):
     np.save(at.folder / "ridge.npy", 1e-6 * np.exp(-(((x - 0.3 - 0.4 * y) / 0.05)**2)))
     method = at.result(at.folder / "ridge.npy", "--length", "100 um", "--height-unit", "m", "--contact-modulus",
                        "1 GPa", "--set", "surface.edges=free", "--set", "surface.level=none", "--set",
-                       "load.nominal_pressure=2 MPa", "--flow", "water")["halfspace"]
+                       "load.nominal_pressure=2 MPa", "--set", "spots={}", "--flow", "water")["halfspace"]
     assert method.leak_rate_x[0, 0] == 0.0
     assert method.leak_rate_y[0, 0] > 0.0
+    assert method.gap_count[0, 0] == 2  # before and behind the ridge, in the figure, too
+    at.answer("report", at.folder / "ridge", "--only", "spots")
+    rows = (at.folder / "ridge/figures/spots-halfspace.csv").read_text().splitlines()
+    assert rows[-1].startswith('"gap') and rows[-1].endswith(",2"), rows
 
 
 def main(program, source, folder):
@@ -150,7 +154,7 @@ def main(program, source, folder):
                  missing_in_x3p, inches, blocked, blur, describe, ridge):
         try:
             test(at)
-        except (AssertionError, AttributeError, KeyError, ValueError) as error:
+        except (AssertionError, AttributeError, KeyError, TypeError, ValueError) as error:
             failed += 1
             print(f"{test.__name__}: {test.__doc__}\n  {type(error).__name__}: {error}")
     sys.exit(failed > 0)

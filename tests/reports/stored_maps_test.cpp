@@ -109,6 +109,30 @@ TEST_F(StoredMaps, GiveTheFiguresOfMapsInMemory) {
     expect_same(found[i], expected[i]);
 }
 
+// An open node of an adhesive contact has the rounding error of a pressure: the
+// map of the page and the distribution of the gap are by the gap.
+TEST_F(StoredMaps, OfAnAdhesiveContactAreThoseOfItsGap) {
+  const auto shown = [&] {
+    const ReportEntry entry = entry_of(in_memory_);
+    const std::vector<Figure> maps = drawn(figures::maps, entry);
+    std::vector<std::string> data{
+        drawn(figures::gap_distribution, entry).at(0).data};
+    for (const MapFrame& frame : maps.at(0).stack->frames)
+      data.push_back(frame.maps.at(1).data);
+    return data;
+  };
+  const std::vector<std::string> expected = shown();
+  ASSERT_EQ(expected.size(), 4U);
+  std::get<mechanics::FemSettings>(case_.methods.at(1).settings).contact.law =
+      mechanics::ContactLaw::dugdale;
+  for (results::Fields& fields : fields_of(in_memory_))
+    for (std::size_t i = 0; i < fields.gap.size(); ++i)
+      if (fields.gap[i] > 0.0)
+        fields.pressure[i] = 1e-9;
+
+  EXPECT_TRUE(shown() == expected);
+}
+
 // The shells of a map in a file come from transforms of rows and columns, those
 // of a map in memory from one of FFTW: roundoff, some 1e-13 of the moments.
 TEST_F(StoredMaps, GiveTheQuantitiesOfMapsInMemory) {
