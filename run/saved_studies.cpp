@@ -24,7 +24,7 @@ using results::CurvePoint;
 /// for: its rows without maps would keep answers to other settings.
 void require_new_study(const cases::Case& contact_case,
                        const std::string& asked) {
-  const std::string table = asked.substr(0, asked.find('.'));
+  const std::string table = asked.substr(0, asked.find_first_of(".="));
   std::string allowed;
   for (const cases::StudyKeys* const study : cases::known_studies()) {
     if (!study->tables.empty() && study->name() == table) {

@@ -61,7 +61,7 @@ precision = "double"
 )";
 
 const std::vector<std::string> asked{
-    "flow.viscosity=1e-3", "flow.pressure_drop=1e5", "spots.smallest=5",
+    "flow={ viscosity = 1e-3, pressure_drop = 1e5 }", "spots.smallest=5",
     "conductance.thermal_conductivity=50",
     "conductance.counter_thermal_conductivity=16"};
 
