@@ -168,6 +168,15 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
 
 } // namespace
 
+std::ptrdiff_t SampleValues::known() const {
+  return std::ranges::count_if(values,
+                               [](double x) { return std::isfinite(x); });
+}
+
+std::ptrdiff_t SampleValues::zeros() const {
+  return std::ranges::count(values, 0.0);
+}
+
 SampleLoads sample_loads(const SweepRecord& record,
                          const SweptResults& results) {
   SampleLoads table;
@@ -244,6 +253,12 @@ std::string sample_loads_csv(const SampleLoads& table) {
     });
     add("outliers", load, [&](const SampleValues& column) {
       return csv_cell(named_outliers(table, column));
+    });
+    add("samples with a value", load, [](const SampleValues& column) {
+      return std::to_string(column.known());
+    });
+    add("samples with 0", load, [](const SampleValues& column) {
+      return std::to_string(column.zeros());
     });
   }
   return text;

@@ -6,6 +6,7 @@
 #include "reports/figures/gnuplot.hpp"
 #include "reports/sweeps/swept_results.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,8 +16,11 @@ namespace asperity::reports {
 /// The values of one column at one load.
 struct SampleValues {
   std::vector<double> values; ///< of each sample, in SI; NaN: there is none
-  Spread spread = {};
+  Spread spread = {};         ///< of the samples that have one
   std::vector<std::size_t> outliers; ///< samples, by outliers_of()
+
+  std::ptrdiff_t known() const; ///< samples with a value
+  std::ptrdiff_t zeros() const; ///< samples with 0: a flow that is sealed
 };
 
 struct SampleLoad {
@@ -46,7 +50,8 @@ SampleLoads sample_loads(const SweepRecord& record,
                          const SweptResults& results);
 
 /// Returns one row per sample and load, and for each load the rows "mean",
-/// "standard deviation" and "outliers", which names them: loads.csv.
+/// "standard deviation", "outliers", which names them, "samples with a value"
+/// and "samples with 0": loads.csv.
 std::string sample_loads_csv(const SampleLoads& table);
 
 /// Returns a line per load for a terminal: area and mean gap with their

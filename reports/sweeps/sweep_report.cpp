@@ -140,6 +140,17 @@ std::string column_text(const SampleColumn& column, double value, int digits) {
   return quantity_text(value, column.unit, digits);
 }
 
+/// Says which samples are not in a mean, and which are 0 in it: sealed ones.
+std::string counted_samples(const SampleValues& column) {
+  const auto all = std::ssize(column.values);
+  std::string text;
+  if (column.known() < all)
+    text = fmt::format("; {} of {} have a value", column.known(), all);
+  if (column.zeros() > 0)
+    text += fmt::format("; {} of {} are 0", column.zeros(), all);
+  return text;
+}
+
 /// Adds the tables at the loads that all samples share: their statistics, and
 /// every sample.
 void set_loads(Json& page, const SampleLoads& table) {
@@ -161,7 +172,8 @@ void set_loads(Json& page, const SampleLoads& table) {
       cells.push_back(
           {{"mean", column_text(table.columns[c], values.spread.mean, 3)},
            {"deviation",
-            column_text(table.columns[c], values.spread.deviation, 2)}});
+            column_text(table.columns[c], values.spread.deviation, 2) +
+                counted_samples(values)}});
       if (c > 1) // of studies in loads.csv
         continue;
       for (const std::size_t sample : values.outliers)

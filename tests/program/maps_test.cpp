@@ -143,7 +143,7 @@ TEST_F(Maps, AreNotPressedBeyondTheirHardness) {
 // The loads of a command are round numbers, and the same for all of its maps:
 // from 1 % of the smallest E* h' to the largest one.
 TEST_F(Maps, ArePressedWithTheSameRoundLoads) {
-  ASSERT_EQ(press("maps --out all").exit_code, 0);
+  ASSERT_EQ(press("maps --flow water --out all").exit_code, 0);
 
   const std::string table = text_of(folder / "all/loads.csv");
   auto first = columns_of(text_of(folder / "all/points/000/curves.csv"),
@@ -179,8 +179,13 @@ TEST_F(Maps, ArePressedWithTheSameRoundLoads) {
     EXPECT_NEAR(numbers("standard deviation")[column],
                 std::abs(one - other) / std::sqrt(2.0), 1e-8 * one);
   }
-  EXPECT_NE(text_of(folder / "all/report.html").find("over 2 maps."),
-            std::string::npos);
+  const std::string page = text_of(folder / "all/report.html");
+  EXPECT_NE(page.find("over 2 maps."), std::string::npos);
+  // Both are sealed at the largest load: the mean of their flow is of zeros.
+  EXPECT_EQ(numbers("samples with a value").back(), 2.0);
+  EXPECT_EQ(numbers("samples with 0").back(), 0.0);
+  EXPECT_TRUE(table.ends_with(",2\n")) << table;
+  EXPECT_NE(page.find("; 2 of 2 are 0"), std::string::npos);
 }
 
 TEST_F(Maps, ArePressedAsTheOptionsSay) {
