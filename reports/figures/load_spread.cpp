@@ -3,6 +3,7 @@
 #include "reports/figures/plot_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity::reports {
 
@@ -14,6 +15,16 @@ constexpr int upright_cross = 1, diagonal_cross = 2; ///< gnuplot's numbers
 
 int LoadSpread::zeros() const {
   return static_cast<int>(std::ranges::count(numbers, 0.0));
+}
+
+SpreadCurve converged_spread(const results::MethodRecord& method,
+                             const results::CurveColumn& column) {
+  return spread_curve(method, [&](const results::CurvePoint& row, std::size_t) {
+    return row.status == results::StepStatus::converged &&
+                   std::isfinite(row[column])
+               ? row[column]
+               : std::numeric_limits<double>::quiet_NaN();
+  });
 }
 
 SpreadPanel::SpreadPanel(const std::string& quantity, double unit,

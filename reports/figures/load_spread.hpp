@@ -6,6 +6,7 @@
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/numbers/estimate.hpp"
+#include "results/types/curve_columns.hpp"
 #include "results/types/result.hpp"
 
 #include <limits>
@@ -57,6 +58,10 @@ SpreadCurve spread_curve(const results::MethodRecord& method,
   std::erase_if(curve, [](const auto& at) { return !at.second.is_complete; });
   return curve;
 }
+
+/// The finite numbers of a column in converged rows.
+SpreadCurve converged_spread(const results::MethodRecord& method,
+                             const results::CurveColumn& column);
 
 /// A panel of such curves against the pressure in MPa, and its table.
 class SpreadPanel {

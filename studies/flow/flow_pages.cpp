@@ -189,48 +189,52 @@ std::string fluid_words(const FlowStudy& study) {
 }
 
 /// "5e-14 m³/s along y at 1 MPa" of the heaviest load, or "tight along x from
-/// 15 kPa on (2e-16 m³/s at 10 kPa)" with the heaviest load that leaks.
-std::string flow_along(const char* direction,
-                       std::span<const results::CurvePoint> points,
-                       const results::CurveColumn& column) {
-  const results::CurvePoint *leaking = nullptr, *tight = nullptr;
-  for (const results::CurvePoint& row : points) {
-    if (row.status != results::StepStatus::converged || row.is_unloading ||
-        !std::isfinite(row[column]))
-      continue;
-    const bool leaks = row[column] > 0.0;
-    const results::CurvePoint*& found = leaks ? leaking : tight;
-    if (found == nullptr ||
-        (row.nominal_pressure > found->nominal_pressure) == leaks)
-      found = &row;
+/// 15 kPa on (2e-16 m³/s at 10 kPa)" with the heaviest load that leaks. Of
+/// several realisations these are medians, in which tight ones count as 0.
+std::string flow_along(const char* direction, const SpreadCurve& leaks) {
+  const LoadSpread *leaking = nullptr, *tight = nullptr;
+  for (const auto& [step, at] : leaks) {
+    const bool does_leak = at.median() > 0.0;
+    const LoadSpread*& found = does_leak ? leaking : tight;
+    if (found == nullptr || (at.pressure > found->pressure) == does_leak)
+      found = &at;
   }
-  const auto load = [](const results::CurvePoint& row) {
-    return quantity_text(row.nominal_pressure, "Pa", 3);
+  const auto load = [](const LoadSpread& at) {
+    return quantity_text(at.pressure, "Pa", 3);
   };
-  const auto rate = [&](const results::CurvePoint& row) {
-    return quantity_text(row[column], "m³/s", 3);
+  const auto rate = [](const LoadSpread& at) {
+    return quantity_text(at.median(), "m³/s", 3);
+  };
+  const auto count = [](const LoadSpread& at) -> std::string {
+    const std::size_t all = at.numbers.size();
+    return all == 1 ? ""
+           : at.zeros() > 0
+               ? fmt::format(", {} of {} realisations tight", at.zeros(), all)
+               : fmt::format(", median of {} realisations", all);
   };
   if (tight == nullptr)
-    return fmt::format("{} along {} at {}", rate(*leaking), direction,
-                       load(*leaking));
-  std::string words =
-      fmt::format("tight along {} from {} on", direction, load(*tight));
+    return fmt::format("{} along {} at {}{}", rate(*leaking), direction,
+                       load(*leaking), count(*leaking));
+  std::string words = fmt::format("tight along {} from {} on{}", direction,
+                                  load(*tight), count(*tight));
   if (leaking != nullptr)
-    words += fmt::format(" ({} at {})", rate(*leaking), load(*leaking));
+    words += fmt::format(" ({} at {}{})", rate(*leaking), load(*leaking),
+                         count(*leaking));
   return words;
 }
 
-/// The answer of the method of answered_row().
+/// The answer of the method of answered_load().
 std::string flow_answer(const ReportEntry& entry) {
   const auto* const study = entry.contact_case->study<FlowStudy>();
-  const AnsweredRow answer = answered_row(entry, columns::leak_rate.x);
-  if (study == nullptr || answer.row == nullptr)
+  const results::MethodRecord* const method =
+      answered_load(entry, columns::leak_rate.x).method;
+  if (study == nullptr || method == nullptr)
     return "";
-  const auto& points = answer.method->realizations.front().points;
-  return fmt::format("{}: {}, {}{}.", fluid_words(*study),
-                     flow_along("x", points, columns::leak_rate.x),
-                     flow_along("y", points, columns::leak_rate.y),
-                     method_in_words(entry, *answer.method));
+  return fmt::format(
+      "{}: {}, {}{}.", fluid_words(*study),
+      flow_along("x", converged_spread(*method, columns::leak_rate.x)),
+      flow_along("y", converged_spread(*method, columns::leak_rate.y)),
+      method_in_words(entry, *method));
 }
 
 /// Mean over both directions of log10 of a number; minus infinity if one of

@@ -10,11 +10,11 @@ namespace {
 
 std::string sentence(const reports::ReportEntry& entry, const char* what,
                      const results::CurveColumn& column, const char* unit) {
-  const AnsweredRow answer = answered_row(entry, column);
-  return answer.row == nullptr
+  const AnsweredLoad answer = answered_load(entry, column);
+  return answer.method == nullptr
              ? ""
              : fmt::format("{} resistance {} {} {}.", what,
-                           digits_text((*answer.row)[column], 3), unit,
+                           digits_text(answer.median(column), 3), unit,
                            answer.place(entry));
 }
 

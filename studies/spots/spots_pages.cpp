@@ -95,16 +95,15 @@ std::vector<Figure> spot_figures(const ReportEntry& entry) {
 }
 
 std::string spots_answer(const ReportEntry& entry) {
-  const AnsweredRow answer = answered_row(entry, columns::spot_count);
-  if (answer.row == nullptr)
+  const AnsweredLoad answer = answered_load(entry, columns::spot_count);
+  if (answer.method == nullptr)
     return "";
-  const results::CurvePoint& row = *answer.row;
-  const double count = row[columns::spot_count];
-  return fmt::format("The contact consists of {} spot{} {}; the largest has "
-                     "{}.",
-                     digits_text(count, 7), count == 1.0 ? "" : "s",
-                     answer.place(entry),
-                     quantity_text(row[columns::largest_spot], "m^2", 3));
+  const double count = answer.median(columns::spot_count);
+  return fmt::format(
+      "The contact consists of {} spot{} {}; the largest has "
+      "{}.",
+      digits_text(count, 7), count == 1.0 ? "" : "s", answer.place(entry),
+      quantity_text(answer.median(columns::largest_spot), "m^2", 3));
 }
 
 } // namespace

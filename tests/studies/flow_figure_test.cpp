@@ -143,6 +143,29 @@ TEST(FlowAtLoad, HasNoValueIfARealisationIsSealed) {
             "where the leak rate is 0 and has no logarithm");
 }
 
+// The sentence of the report has the medians and the number of tight ones.
+TEST(FlowAnswer, IsOfAllRealisations) {
+  FlowStudy study;
+  study.viscosity = 1e-3;
+  study.pressure_drop = 1e4;
+  cases::Case sealed;
+  sealed.studies.ask(std::move(study));
+  const auto answer = [&](const std::vector<Leaks>& steps) {
+    const results::Result result = leaking(steps);
+    return flow_pages().answer({&result, &sealed, {}});
+  };
+
+  EXPECT_EQ(answer({{{1e-12, 2e-12}}, {{0.0, 1e-12}}}),
+            "A fluid of 1 mPa s at 10 kPa: tight along x from 2 MPa on (1e-12 "
+            "m³/s at 1 MPa), 1e-12 m³/s along y at 2 MPa.");
+  EXPECT_EQ(
+      answer({{{0.0, 2e-12}, {1e-12, 4e-12}, {2e-12, 6e-12}},
+              {{0.0, 1e-12}, {0.0, 2e-12}, {1e-13, 3e-12}}}),
+      "A fluid of 1 mPa s at 10 kPa: tight along x from 2 MPa on, 2 of 3 "
+      "realisations tight (1e-12 m³/s at 1 MPa, 1 of 3 realisations tight), "
+      "2e-12 m³/s along y at 2 MPa, median of 3 realisations.");
+}
+
 // All are sealed at all loads: the figure says so.
 TEST(LeakRateFigure, IsDrawnOfSealedContactsAlone) {
   const Figure figure = figure_of({{{0.0, 0.0}}});

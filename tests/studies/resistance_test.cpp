@@ -45,15 +45,26 @@ TEST(Resistance, IsAnAnswerAtTheHeaviestLoad) {
   results::Result result;
   results::Curve curve;
   for (const double load : {1e6, 3e6, 2e6}) {
-    results::CurvePoint& row = curve.points.emplace_back();
+    results::CurvePoint row;
+    row.step = static_cast<int>(curve.points.size());
     row.nominal_pressure = load;
     row[columns::relative_conductance] = load / 1e4;
     rescale_studies(asked, row);
+    curve.points.push_back(row);
   }
   result.methods = {{"halfspace", "halfspace", "", {curve}}};
 
   EXPECT_EQ(resistance_pages().answer({&result, &asked, {}}),
             "Thermal resistance 2.22e-05 m² K/W at 3 MPa.");
+  for (const double factor : {2.0, 3.0}) {
+    result.methods[0].realizations.push_back(curve);
+    for (results::CurvePoint& row :
+         result.methods[0].realizations.back().points)
+      row[columns::thermal_resistance] *= factor;
+  }
+  EXPECT_EQ(resistance_pages().answer({&result, &asked, {}}),
+            "Thermal resistance 4.44e-05 m² K/W at 3 MPa, median of 3 "
+            "realisations.");
   result.methods.clear();
   EXPECT_EQ(resistance_pages().answer({&result, &asked, {}}), "");
 }
