@@ -59,7 +59,7 @@ std::vector<SweptCurve> curves_of(const results::Result& result) {
   std::vector<SweptCurve> curves;
   for (const results::MethodRecord& method : result.methods) {
     SweptCurve& curve = curves.emplace_back(SweptCurve{method.name, {}});
-    if (!method.realizations.empty())
+    if (method.realizations.size() == 1)
       for (const results::CurvePoint& row : method.realizations.front().points)
         if (row.status == results::StepStatus::converged)
           curve.rows.push_back(row);

@@ -23,7 +23,8 @@ struct SpectrumPoint {
   double nayak = 0.0;          ///< m_0 m_4/m_2^2 of the formula [1]
 };
 
-/// The converged load steps of one method, of its first realisation.
+/// The converged load steps of one method; none if it has several realisations,
+/// of which one is no sample of its point.
 struct SweptCurve {
   std::string method;
   std::vector<results::CurvePoint> rows;

@@ -119,6 +119,24 @@ TEST_F(SweepRuns, ResumesWithOtherValues) {
             std::string::npos);
 }
 
+// Seeds are samples whose mean is stated, unless each has several realisations,
+// the first of which would stand for all.
+TEST_F(SweepRuns, StatesNoMeanOfFirstRealisations) {
+  write("seeds.toml", small_case + "[sweep]\n\"surface.seed\" = [3, 4]\n");
+  for (const std::string count : {"1", "2"}) {
+    const Ended ended = run("run seeds.toml --methods halfspace --set "
+                            "surface.realizations=" +
+                            count + " --out seeds" + count);
+    ASSERT_EQ(ended.exit_code, 0) << ended.output;
+    EXPECT_EQ(fs::exists(folder / ("seeds" + count) / "loads.csv"),
+              count == "1");
+    EXPECT_EQ(ended.output.find("mean and standard deviation of one map") !=
+                  std::string::npos,
+              count == "1")
+        << ended.output;
+  }
+}
+
 // A sweep replaces the last one when all of its points are complete.
 TEST_F(SweepRuns, ReplacesThePreviousSweep) {
   ASSERT_EQ(run(small_run).exit_code, 0);
