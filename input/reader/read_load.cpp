@@ -155,8 +155,10 @@ std::vector<mechanics::Quantity> read_targets(TableReader& table,
 void read_pressures(TableReader& load, const Key& key,
                     mechanics::LoadingPath& program) {
   Key own = key;
-  if (!program.may_be_tensile)
+  if (!program.may_be_tensile) {
     own.range = positive();
+    own.range.reason = ", unless all methods have adhesion, none of them [md]";
+  }
   program.targets = read_targets(load, own);
 }
 

@@ -166,7 +166,7 @@ std::string Range::limits(const std::string& unit) const {
 
 std::string Range::sentence(const std::string& unit) const {
   const std::string text = limits(unit);
-  return "must be " + (text.empty() ? "finite [" + unit + "]" : text);
+  return "must be " + (text.empty() ? "finite [" + unit + "]" : text) + reason;
 }
 
 Range magnitudes(Dimension dimension, mechanics::ReferenceUnit reference) {

@@ -38,6 +38,7 @@ struct Range {
   double high;
   bool is_low_allowed = true;
   bool is_high_allowed = true;
+  const char* reason = ""; ///< appended to the requirement: ", unless ..."
 
   bool contains(double value) const;
   /// Returns the range as text: "> 0 [m]", "between -1 and 0.5 [1]"; "" if any

@@ -126,12 +126,15 @@ TEST(AdhesionCase, IsPulledByEqualStepsOnly) {
 }
 
 TEST(AdhesionCase, IsNeededForTension) {
-  expect_mistake(sticky("contact = \"hard\"\n",
-                        "nominal_pressure = [\"1 MPa\", \"-1 MPa\"]"),
-                 "load.nominal_pressure = \"-1 MPa\", but must be > 0 [Pa]");
+  expect_mistake(
+      sticky("contact = \"hard\"\n",
+             "nominal_pressure = [\"1 MPa\", \"-1 MPa\"]"),
+      "load.nominal_pressure = \"-1 MPa\", but must be > 0 [Pa], unless all "
+      "methods have adhesion, none of them [md]");
   expect_mistake(sticky(law + "[winkler]\nstiffness = \"0.05 E*/h\"\n",
                         "nominal_pressure = 0"),
-                 "load.nominal_pressure = 0, but must be > 0 [Pa]");
+                 "load.nominal_pressure = 0, but must be > 0 [Pa], unless all "
+                 "methods have adhesion, none of them [md]");
   expect_mistake(sticky(law + "[md]\npotential = \"lennard-jones\"\n",
                         "nominal_pressure = 0"),
                  "load.nominal_pressure = 0, but must be > 0 [Pa]");

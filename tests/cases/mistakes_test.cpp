@@ -141,7 +141,8 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
        "load.nominal_pressure = [], but must be a quantity, a list of them, or "
        "{ from, to, steps, spacing }"},
       {"load.nominal_pressure=[1e6, \"-1 Pa\"]",
-       "load.nominal_pressure = \"-1 Pa\", but must be > 0 [Pa]"},
+       "load.nominal_pressure = \"-1 Pa\", but must be > 0 [Pa], unless all "
+       "methods have adhesion, none of them [md]"},
       {"load.nominal_pressure.to=1 GPa",
        "load.nominal_pressure.to = \"1 GPa\", but must have the same kind of "
        "unit as from: both in SI or both in the same unit of the problem"},
