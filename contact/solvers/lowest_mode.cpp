@@ -1,6 +1,8 @@
 #include "contact/solvers/lowest_mode.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "base/symmetric_eigen.hpp"
+
+#include <Eigen/LU>
 
 #include <array>
 #include <cmath>
@@ -113,11 +115,18 @@ private:
       }
     const Eigen::Index used =
         has_change_ && overlap.determinant() < 1e-12 ? 2 : n;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        energy.topLeftCorner(used, used), overlap.topLeftCorner(used, used));
+    // In the orthonormal basis of the columns of `to_basis`.
+    const SymmetricEigen of_overlap =
+        symmetric_eigen(overlap.topLeftCorner(used, used));
+    Eigen::Matrix3d to_basis = Eigen::Matrix3d::Zero();
+    to_basis.topLeftCorner(used, used) =
+        of_overlap.vectors *
+        of_overlap.values.cwiseSqrt().cwiseInverse().asDiagonal();
+    const Eigen::Matrix3d in_basis = to_basis.transpose() * energy * to_basis;
     Eigen::Vector3d share = Eigen::Vector3d::Zero();
-    share.head(used) = solver.eigenvectors().col(0);
-    return share;
+    share.head(used) =
+        symmetric_eigen(in_basis.topLeftCorner(used, used)).vectors.col(0);
+    return to_basis * share;
   }
 
   AdhesiveState& state_;

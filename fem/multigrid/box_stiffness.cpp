@@ -1,7 +1,6 @@
 #include "fem/multigrid/box_stiffness.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include "base/symmetric_eigen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,9 +140,7 @@ double bound_of(const std::vector<double>& stiffness) {
       scale[r] = 1.0 / std::sqrt(diagonal);
     }
     matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        matrix, Eigen::EigenvaluesOnly);
-    largest = std::max(largest, solver.eigenvalues()[n - 1]);
+    largest = std::max(largest, symmetric_eigen(matrix).values[n - 1]);
   }
   return largest;
 }

@@ -1,6 +1,6 @@
 #include "surfaces/maps/round_form.hpp"
 
-#include <Eigen/Dense>
+#include "base/symmetric_eigen.hpp"
 
 #include <algorithm>
 #include <array>
@@ -164,8 +164,8 @@ private:
       });
       equations += of_row;
     }
-    const Eigen::MatrixXd normal = equations.template leftCols<m>();
-    return normal.completeOrthogonalDecomposition().solve(equations.col(m));
+    return symmetric_eigen(equations.template leftCols<m>())
+        .solve(equations.col(m));
   }
 
   HeightMap& map_;
@@ -189,16 +189,14 @@ void remove_cylinder(HeightMap& map) {
   // The axis is the direction of the smaller curvature.
   Eigen::Matrix2d curvature;
   curvature << 2.0 * start[3], start[4], start[4], 2.0 * start[5];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(curvature);
-  const int axis = std::abs(principal.eigenvalues()[0]) <
-                           std::abs(principal.eigenvalues()[1])
-                       ? 0
-                       : 1;
-  const Eigen::Vector2d along = principal.eigenvectors().col(axis);
+  const SymmetricEigen principal = symmetric_eigen(curvature);
+  const int axis =
+      std::abs(principal.values[0]) < std::abs(principal.values[1]) ? 0 : 1;
+  const Eigen::Vector2d along = principal.vectors.col(axis);
   const Eigen::Vector2d across(-along[1], along[0]);
   const Eigen::Vector2d slope(start[1], start[2]);
   Eigen::VectorXd parameters(5);
-  parameters << principal.eigenvalues()[1 - axis], -slope.dot(across), start[0],
+  parameters << principal.values[1 - axis], -slope.dot(across), start[0],
       slope.dot(along), std::atan2(along[1], along[0]);
   fit.subtract(parameters, "cylinder");
 }
