@@ -377,7 +377,8 @@
         options : {
           animation : false,
           maintainAspectRatio : false,
-          parsing : false,
+          // Not `parsing: false`, which takes a path that comes back for one
+          // whose ends are its extremes.
           scales : this.scales(),
           interaction : {mode : 'nearest', intersect : false},
           plugins : {

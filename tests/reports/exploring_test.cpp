@@ -83,6 +83,12 @@ constexpr std::pair<const char*, const char*> probes[] = {
      "{below: points[0].filter(point => point.low < min).length, above: "
      "points[0].filter(point => point.high > max).length, all: "
      "points[0].length};"},
+    {"path",
+     "const {parts: [part]} = await figure('pressure-gap'); for (const path of "
+     "part.points) path.push({...path[0]}); part.showPoints(); const {min, "
+     "max} = part.chart.scales.x; return {outside: "
+     "part.points.flat().filter(point => point.x < min || point.x > "
+     "max).length, all: part.points.flat().length};"},
 };
 
 class Exploring : public Browser {
@@ -184,6 +190,15 @@ TEST_F(Exploring, ShowsEntireIntervals) {
   EXPECT_GT(found.at("all"), 3);
   EXPECT_EQ(found.at("below"), 0);
   EXPECT_EQ(found.at("above"), 0);
+}
+
+// The largest x of a path that comes back is in its middle.
+TEST_F(Exploring, ShowsPathsThatComeBack) {
+  const nlohmann::json& found = found_of("path");
+
+  ASSERT_TRUE(found.is_object()) << found;
+  EXPECT_GT(found.at("all"), 3);
+  EXPECT_EQ(found.at("outside"), 0);
 }
 
 // In other units the axes have other names, and the numbers are those of the
