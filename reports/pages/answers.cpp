@@ -140,8 +140,14 @@ std::string adhesive_sentence(const ReportEntry& entry,
   const Estimate* const tension = summary->quantity("pull_off_pressure");
   const Estimate* const loss = summary->quantity("dissipated_energy");
   const bool is_pulled = tension != nullptr && tension->has_value();
-  // A path without tension comes back to the contact where it began.
-  const double lost = is_pulled && loss != nullptr ? loss->value : not_a_number;
+  std::string bound;
+  for (const results::Curve& curve : method.realizations)
+    bound = bound.empty() ? why_more_may_hold(converged_rows(curve)) : bound;
+  // A path without tension comes back to the contact where it began, and one
+  // that does not pass the largest tension has not parted the faces.
+  double lost = is_pulled && loss != nullptr ? loss->value : not_a_number;
+  if (!bound.empty() && !(lost >= least_loss))
+    lost = not_a_number;
   std::string words =
       std::isfinite(lost)
           ? lost >= least_loss ? "It sticks" : "It does not stick"
@@ -153,9 +159,6 @@ std::string adhesive_sentence(const ReportEntry& entry,
                          "and back",
                          digits_text(100.0 * lost, 2));
   const std::string joint = lost >= least_loss ? ", and" : ":";
-  std::string bound;
-  for (const results::Curve& curve : method.realizations)
-    bound = bound.empty() ? why_more_may_hold(converged_rows(curve)) : bound;
   if (is_pulled)
     words += joint + " the largest tension is " +
              (bound.empty() ? "" : "at least ") +

@@ -50,6 +50,14 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
       << deep.output;
   EXPECT_EQ(deep.output.find(bound), std::string::npos);
 
+  // Faces that the path has not parted are judged by the criterion.
+  const Ended held = run(command + "\"50 mJ/m^2\" --out held "
+                                   "--set 'load.mean_gap=[\"0.5 h_rms\", "
+                                   "\"0.4 h_rms\", \"0.35 h_rms\"]'");
+  EXPECT_NE(held.output.find("It sticks: the largest tension is at least "),
+            std::string::npos)
+      << held.output;
+
   const Ended pressed =
       run(command + "\"50 mJ/m^2\" --pressure \"100 MPa\" --out pressed");
   EXPECT_NE(pressed.output.find("It sticks: the largest tension is not known, "
