@@ -32,6 +32,8 @@ ShownUnit suited_unit(double value, const std::string& unit) {
           (std::abs(value) >= 0.9995 * size || prefix == 1e-9))
         return {size, fmt::format(" {}{}", name, is_area ? "m²" : unit)};
     }
+  if (unit == "%")
+    return {0.01, " %"};
   return {1.0, unit == "1" ? "" : " " + unit};
 }
 
@@ -88,6 +90,29 @@ std::string quantity_text(double value, const std::string& unit, int digits) {
     return "–";
   const ShownUnit shown = suited_unit(value, unit);
   return digits_text(value / shown.size, digits) + shown.name;
+}
+
+std::string uncertain_text(double value, double uncertainty,
+                           const std::string& unit) {
+  constexpr int most_digits = 4;
+  const ShownUnit shown = suited_unit(value, unit);
+  const double number = value / shown.size;
+  const double half = uncertainty / shown.size;
+  if (!std::isfinite(number) || !std::isfinite(half) || !(half > 0.0))
+    return quantity_text(value, unit, most_digits);
+  const int last = std::max(number == 0.0 ? -most_digits
+                                          : first_digit(number, most_digits) -
+                                                most_digits + 1,
+                            first_digit(half, 2) - 1);
+  const double step = std::pow(10.0, last);
+  if (half < 0.5 * step)
+    return quantity_text(value, unit, most_digits);
+  if (last < -6 || last > 6)
+    return fmt::format("{:.3g} ± {:.2g}{}", number, half, shown.name);
+  const auto text = [&](double one) {
+    return with_decimals(std::round(one / step) * step, std::max(0, -last));
+  };
+  return text(number) + " ± " + text(half) + shown.name;
 }
 
 std::string interval_text(double value, double low, double high,

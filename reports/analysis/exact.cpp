@@ -1,5 +1,6 @@
 #include "reports/analysis/exact.hpp"
 
+#include "base/shown_number.hpp"
 #include "reports/analysis/stress_quantities.hpp"
 #include "reports/numbers/fits.hpp"
 
@@ -80,10 +81,10 @@ void note_recess(double touching, double last,
     return;
   for (Estimate* const estimate : estimates)
     estimate->remark =
-        fmt::format("{}below {:.4g} Pa, where the recess of the punch touches",
+        fmt::format("{}below {}, where the recess of the punch touches",
                     estimate->has_value() ? "largest over the load steps "
                                           : "there is no load step ",
-                    touching);
+                    quantity_text(touching, "Pa"));
 }
 
 double last_load(const results::MethodRecord& method) {

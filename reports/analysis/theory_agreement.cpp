@@ -84,8 +84,8 @@ std::vector<ComparedLoad> compared_loads(const Comparison& compared) {
 
 std::string pressure_text(const ComparedLoad& load, double contact_modulus) {
   const double pressure = load.pressure / load.count;
-  return fmt::format("p = {:.3g} MPa ({:.3g} E*)", pressure * 1e-6,
-                     pressure / contact_modulus);
+  return fmt::format("p = {} ({} E*)", quantity_text(pressure, "Pa", 3),
+                     digits_text(pressure / contact_modulus, 3));
 }
 
 /// Sentences on what the block has and the theory's half-space has not.

@@ -1,5 +1,6 @@
 #include "reports/analysis/verdict.hpp"
 
+#include "base/shown_number.hpp"
 #include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
@@ -66,9 +67,9 @@ std::string value_text(const Estimate& estimate) {
   return text;
 }
 
-std::string ours_text(const OurValue& ours) {
+std::string ours_text(const OurValue& ours, const std::string& unit) {
   return ours.estimate.has_value()
-             ? fmt::format("{} {:.4g}", ours.method, ours.estimate.value)
+             ? ours.method + " " + quantity_text(ours.estimate.value, unit, 4)
              : fmt::format("{} {} ({})", ours.method, undetermined_word,
                            ours.estimate.remark);
 }
@@ -177,19 +178,27 @@ beside_ours(std::span<const cases::ReferenceValue> references,
 }
 
 std::string published_text(const cases::ReferenceValue& reference) {
+  if (reference.unit != "1")
+    return uncertain_text(reference.value, reference.uncertainty,
+                          reference.unit);
   std::string text = fmt::format("{:.6g}", reference.value);
   if (reference.uncertainty > 0.0)
-    text += fmt::format(" +- {:.2g}", reference.uncertainty);
-  return reference.unit == "1" ? text : text + " " + reference.unit;
+    text += fmt::format(" ± {:.2g}", reference.uncertainty);
+  return text;
 }
 
 std::string published_line(const PublishedValue& published) {
   const cases::ReferenceValue& reference = published.reference;
+  std::string text = published_text(reference);
+  const std::string sign = "±"; // as the lines on expectations
+  if (const std::size_t at = text.find(sign); at != text.npos)
+    text.replace(at, sign.size(), "+-");
   std::string line = fmt::format(
       "{:<9}  {:<20} {}", reference.uncertainty > 0.0 ? "paper" : "exact",
-      reference.quantity, published_text(reference));
+      reference.quantity, text);
   for (std::size_t i = 0; i < published.ours.size(); ++i)
-    line += (i == 0 ? ": " : ", ") + ours_text(published.ours[i]);
+    line +=
+        (i == 0 ? ": " : ", ") + ours_text(published.ours[i], reference.unit);
   return published.ours.empty() ? line + ": not computed" : line;
 }
 

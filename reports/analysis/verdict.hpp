@@ -40,7 +40,7 @@ std::vector<PublishedValue>
 beside_ours(std::span<const cases::ReferenceValue> references,
             std::span<const MethodSummary> methods);
 
-/// Formats "0.4 +- 0.05", "1.4e-08 +- 5e-10 m"; exact values have no "+-".
+/// Formats "0.4 ± 0.05", "14.00 ± 0.50 nm"; exact values have no "±".
 std::string published_text(const cases::ReferenceValue& reference);
 
 /// Formats a published value and the computed ones as

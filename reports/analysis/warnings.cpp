@@ -130,11 +130,12 @@ void add_noise(const Result& result, std::vector<Warning>& warnings) {
     return;
   warnings.push_back(
       {"noise",
-       fmt::format("The map contains noise of its instrument: beyond a "
-                   "wavelength of {:.3g} nm its spectrum is flat, and {:.0f} % "
-                   "of its mean square slope lies there (limit: {:.0f} %).",
-                   2e9 * std::numbers::pi / floor->wavevector,
-                   100.0 * above / whole, 100.0 * Limits::noise_slope),
+       fmt::format(
+           "The map contains noise of its instrument: beyond a "
+           "wavelength of {} its spectrum is flat, and {:.0f} % "
+           "of its mean square slope lies there (limit: {:.0f} %).",
+           quantity_text(2.0 * std::numbers::pi / floor->wavevector, "m", 3),
+           100.0 * above / whole, 100.0 * Limits::noise_slope),
        "Noise is pressed as if it were roughness: slope, contact area and "
        "stiffness are partly those of the instrument. Use cut_off = "
        "\"reliable\", and a sweep over cut_off to see the area against it.",
@@ -200,15 +201,16 @@ void add_tilt(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
     return;
   warnings.push_back(
       {"tilted",
-       fmt::format("The map is tilted: its rms height of {:.3g} nm is {:.3g} "
-                   "times the {:.3g} nm about its mean plane (limit: {:g}).",
-                   surface.rms_height * 1e9, surface.rms_height / roughness,
-                   roughness * 1e9, Limits::tilt),
+       fmt::format("The map is tilted: its rms height of {} is {} "
+                   "times the {} about its mean plane (limit: {:g}).",
+                   quantity_text(surface.rms_height, "m", 3),
+                   digits_text(surface.rms_height / roughness, 3),
+                   quantity_text(roughness, "m", 3), Limits::tilt),
        "Everything in units of h_rms refers to the tilted map: relative to the "
        "roughness, the tolerance of the solvers is larger by this factor. Use "
        "level = \"plane\", or a tolerance that is smaller by it.",
-       fmt::format("The map is tilted, {:.3g} times its roughness: use {}.",
-                   surface.rms_height / roughness,
+       fmt::format("The map is tilted, {} times its roughness: use {}.",
+                   digits_text(surface.rms_height / roughness, 3),
                    input::setting("surface.level", "plane"))});
 }
 
@@ -295,8 +297,8 @@ void add_recess(const Result& result, const cases::Case& contact_case,
         warnings.push_back(
             {"recess_touches",
              fmt::format("The surface around the end of the punch touches "
-                         "from a nominal pressure of {:.4g} Pa on.",
-                         touching),
+                         "from a nominal pressure of {} on.",
+                         quantity_text(touching, "Pa")),
              "The exact solution of a flat end does not hold there: steps "
              "of this pressure and above are not compared with it.",
              fmt::format(

@@ -160,9 +160,9 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series,
           .other;
   figure.caption = fmt::format(
       "Separation at equal pressure, minus the theory's, in per cent of h_rms; "
-      "at most {:.2g} % for the mean over the realisations. The shaded range, "
+      "at most {} % for the mean over the realisations. The shaded range, "
       "0.3 < u/h_rms < 1.5, is the one that gap_deviation evaluates.",
-      largest);
+      digits_text(largest, 2));
   figure.caption += joined_words(series);
   figure.panels = {std::move(panel)};
   figure.data = table.text();

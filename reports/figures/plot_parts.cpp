@@ -1,6 +1,7 @@
 #include "reports/figures/plot_parts.hpp"
 
 #include "base/field_sums.hpp"
+#include "base/shown_number.hpp"
 #include "base/special_numbers.hpp"
 #include "reports/analysis/measured_curve.hpp"
 
@@ -142,10 +143,9 @@ ChartAxis load_axis(std::span<const Series> series,
 
 std::string load_text(const FigureScales& scales, double nominal_pressure) {
   if (!scales.is_physical)
-    return fmt::format("p/E* = {:.3g}",
-                       nominal_pressure / scales.contact_modulus);
-  const Unit& unit = unit_for(std::abs(nominal_pressure), pressure_units);
-  return fmt::format("p = {:.3g} {}", nominal_pressure / unit.size, unit.name);
+    return "p/E* = " +
+           digits_text(nominal_pressure / scales.contact_modulus, 3);
+  return "p = " + quantity_text(nominal_pressure, "Pa", 3);
 }
 
 void put_units(Figure& figure, const FigureScales& scales) {

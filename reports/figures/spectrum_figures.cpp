@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -75,8 +76,10 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
                              spec.wavevector_high));
     }
     figure.caption += fmt::format(
-        " Line: the case's own formula, H = {:.3g}, roll-off at 2π/{:.3g} µm.",
-        spec.hurst, 2e6 * std::acos(-1.0) / spec.wavevector_roll_off);
+        " Line: the case's own formula, H = {:.3g}, roll-off at 2π/({}).",
+        spec.hurst,
+        quantity_text(2.0 * std::acos(-1.0) / spec.wavevector_roll_off, "m",
+                      3));
   }
   figure.panels = {std::move(panel)};
   figure.data = table.text();

@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "reports/analysis/stress_quantities.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -194,9 +195,10 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
   figure.width = 660;
   figure.height = 330;
   figure.caption = fmt::format(
-      "{}. The plane through the point of the largest stress; at most {:.3g} "
-      "E*, at a depth of {:.3g} µm; {}.",
-      section->title, *strongest / modulus, depth[at] * 1e6,
+      "{}. The plane through the point of the largest stress; at most {} "
+      "E*, at a depth of {}; {}.",
+      section->title, digits_text(*strongest / modulus, 3),
+      quantity_text(depth[at], "m", 3),
       has_counter
           ? "the contact surface is at depth 0, and negative depths lie "
             "in the second body"

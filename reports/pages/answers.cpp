@@ -198,15 +198,15 @@ std::string plastic_sentence(const ReportEntry& entry,
 /// "At 1 MPa 2.3 % (2.1 to 2.5) of the area touches and the mean gap is 33 nm
 /// (32 to 34)": the words of further loads are fewer.
 std::string load_sentence(const PhysicalLoad& load, bool is_first) {
-  const double area = 100.0 * load.area.value;
-  const double area_error = 100.0 * load.errors.area;
+  const double area = load.area.value;
+  const double area_error = load.errors.area;
   return fmt::format(
       fmt::runtime(is_first ? "At {} {} of the area touches and the mean gap "
                               "is {}"
                             : "at {} {} and {}"),
       pressure_in_pascal(load.pressure),
       interval_text(area, std::max(0.0, area - area_error),
-                    std::min(100.0, area + area_error), "%"),
+                    std::min(1.0, area + area_error), "%"),
       interval_text(load.gap.value, load.gap.value - load.errors.gap,
                     load.gap.value + load.errors.gap, "m"));
 }

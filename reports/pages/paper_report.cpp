@@ -2,6 +2,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json.hpp"
+#include "base/shown_number.hpp"
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/judgement.hpp"
 #include "reports/analysis/verdict.hpp"
@@ -138,14 +139,19 @@ std::string shown_figures(const std::string& readme) {
   return "";
 }
 
+/// "Figures 15 and 16", or the name of the section.
+std::string head_of(const PaperPart& part) {
+  const std::string shown = shown_figures(part.readme);
+  const std::size_t colon = shown.find(':');
+  return colon == shown.npos ? section_of(part.name) : shown.substr(0, colon);
+}
+
 Json section_data(const Section& section, const fs::path& folder,
                   const DrawnGroup& group) {
   const PaperPart& first = *section.parts.front();
-  const std::string shown = shown_figures(first.readme);
-  const std::size_t colon = shown.find(':');
   return {{"name", section.name},
-          {"head", colon == shown.npos ? section.name : shown.substr(0, colon)},
-          {"shown", shown},
+          {"head", head_of(first)},
+          {"shown", shown_figures(first.readme)},
           {"title", first.entry.summary.case_title},
           {"claim", paragraph_on(first.readme, "Claim")},
           {"misses", paragraph_on(first.readme, "What does not come out")},
@@ -221,6 +227,7 @@ Json paper_json(std::span<const PaperPart> parts, const std::string& title) {
 /// The rows of a published number, one for each method that computes it.
 Json rows_of(const Json& line, const PublishedValue& published) {
   Json rows = line["ours"];
+  const std::string& unit = published.reference.unit;
   for (Json& row : rows) {
     if (!row["value"].is_number() || std::isnan(row["value"].get<double>())) {
       if (row["verdict"] == "missing")
@@ -229,6 +236,8 @@ Json rows_of(const Json& line, const PublishedValue& published) {
       const int realizations = row["realizations"];
       row["remark"] =
           realizations > 1 ? fmt::format("{} realisations", realizations) : "";
+      if (unit != "1")
+        row["value"] = uncertain_text(row["value"], row["half_width_95"], unit);
     }
   }
   if (rows.empty()) {
@@ -251,11 +260,9 @@ void add_rows(std::span<const PaperPart> parts, Json& lines) {
   for (const PaperPart& part : parts)
     for (const PublishedValue& published : part.entry.summary.published) {
       Json& line = lines[at++];
-      std::string text = published_text(published.reference);
-      if (const std::size_t sign = text.find("+-"); sign != std::string::npos)
-        text.replace(sign, 2, "±");
-      line["published_text"] = text;
+      line["published_text"] = published_text(published.reference);
       line["section"] = section_of(part.name);
+      line["shown_in"] = head_of(part);
       line["rows"] = rows_of(line, published);
       line["n_methods"] = line["rows"].size();
     }

@@ -71,14 +71,10 @@ std::string with_interval(const Json& object, double value,
   if (const auto half = object.find("half_width_95");
       half != object.end() && half->is_number())
     estimate.half_width = half->get<double>();
-  const std::string rest = format.substr(std::string("±").size());
-  if (rest.empty())
-    return number_text(estimate);
-  const std::string factor = rest.substr(rest.find(' '));
-  return formatted(estimate.value, rest) +
-         (estimate.has_interval()
-              ? " ± " + formatted(estimate.half_width, "2g" + factor)
-              : "");
+  const std::string unit = format.substr(std::string("±").size());
+  return unit.empty()
+             ? number_text(estimate)
+             : uncertain_text(estimate.value, estimate.half_width, unit);
 }
 
 /// The text of a member of an object in one of the formats of the header.

@@ -27,10 +27,10 @@ Figure cut_off_figure(const PredictedContact& contact) {
   figure.caption = fmt::format(
       "Contact area by Persson's theory if all waves below a cut-off are "
       "removed. A resolved area does not change with the last waves; here it "
-      "is that of the reliable range, down to {:.3g} µm. In the shaded part "
+      "is that of the reliable range, down to {}. In the shaded part "
       "the spectrum is not reliable. [surface] cut_off presses the map with "
       "one of these cut-offs.",
-      end);
+      quantity_text(1e-6 * end, "m", 3));
   ChartPanel panel{
       .x = {.label = "shortest wavelength that is kept [µm]", .is_log = true},
       .y = {
@@ -63,13 +63,14 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
   separation.data = table.text();
   separation.caption = fmt::format(
       "Nominal pressure against mean separation by Persson's theory with E* = "
-      "{:.4g} GPa and γ = {:g}, for roughness of wavelengths {} (rms height "
-      "{}, rms slope {:.3g}). At low pressure p = β E* exp(−u/u₀) with u₀ = {} "
-      "and β = {:.3g}.",
-      contact.contact_modulus * 1e-9, contact.gamma,
+      "{} and γ = {:g}, for roughness of wavelengths {} (rms height "
+      "{}, rms slope {}). At low pressure p = β E* exp(−u/u₀) with u₀ = {} "
+      "and β = {}.",
+      quantity_text(contact.contact_modulus, "Pa"), contact.gamma,
       wavelengths_text(contact.wavevector_low, contact.wavevector_high),
-      quantity_text(contact.rms_height, "m"), contact.rms_slope,
-      quantity_text(contact.decay_length, "m"), contact.pressure_prefactor);
+      quantity_text(contact.rms_height, "m"), digits_text(contact.rms_slope, 3),
+      quantity_text(contact.decay_length, "m"),
+      digits_text(contact.pressure_prefactor, 3));
   const double modulus = contact.contact_modulus;
   double largest = 0.0;
   for (const PredictedLoad& load : contact.loads)
@@ -96,8 +97,8 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
   area.title = "Predicted contact area";
   area.caption = fmt::format(
       "Contact area against nominal pressure by the same theory, A/A₀ = erf(√2 "
-      "p/(E* h')) with the rms slope h' = {:.3g}; the data hold 31 loads.",
-      contact.rms_slope);
+      "p/(E* h')) with the rms slope h' = {}; the data hold 31 loads.",
+      digits_text(contact.rms_slope, 3));
   drawn = curve("", style, 0, 4, 5);
   drawn.x_factor = 1.0 / modulus;
   area.panels = {{.x = pressure,

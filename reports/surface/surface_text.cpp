@@ -125,18 +125,19 @@ std::string line_text(const surfaces::LineAnalysis& line) {
 
 std::string contact_text(const PredictedContact& contact) {
   std::string text = fmt::format(
-      "contact by Persson's theory, E* = {:.4g} GPa, gamma = {:g}, roughness "
+      "contact by Persson's theory, E* = {}, gamma = {:g}, roughness "
       "of "
       "wavelengths {}:\n  u_0 = {}, beta = {:.4g}\n  {:>12} {:>12} {:>10}\n",
-      contact.contact_modulus * 1e-9, contact.gamma,
+      quantity_text(contact.contact_modulus, "Pa"), contact.gamma,
       wavelengths_text(contact.wavevector_low, contact.wavevector_high),
       quantity_text(contact.decay_length, "m"), contact.pressure_prefactor,
-      "p [Pa]", "u [nm]", "A/A_0 [%]");
+      "pressure", "mean gap", "area");
   for (std::size_t i = 0; i < contact.loads.size(); i += 5) {
     const PredictedLoad& load = contact.loads[i];
-    text +=
-        fmt::format("  {:>12.4g} {:>12.4g} {:>10.4g}\n", load.nominal_pressure,
-                    1e9 * load.mean_gap, 100.0 * load.area_fraction);
+    text += fmt::format("  {:>12} {:>12} {:>10}\n",
+                        quantity_text(load.nominal_pressure, "Pa", 3),
+                        quantity_text(load.mean_gap, "m", 3),
+                        quantity_text(load.area_fraction, "%", 3));
   }
   return text;
 }

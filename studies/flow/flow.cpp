@@ -1,5 +1,6 @@
 #include "studies/flow/flow.hpp"
 
+#include "base/shown_number.hpp"
 #include "fem/plugin.hpp"
 #include "input/reader/bound_key.hpp"
 #include "mechanics/flow/effective_medium.hpp"
@@ -89,8 +90,8 @@ results::Table flow_map_table(const std::string& method, const Grid& grid,
   results::Table table{
       "flow-" + method,
       fmt::format("Flux along x through the gap of {}, "
-                  "narrowest at {:.3g} nm",
-                  method, flow.critical_gap * 1e9),
+                  "narrowest at {}",
+                  method, quantity_text(flow.critical_gap, "m", 3)),
       {{"x", "m"}, {"y", "m"}, {"flux", "1"}, {"is_critical", "1"}}};
   const int side =
       (std::max(grid.points_x, grid.points_y) - 1) / most_points + 1;

@@ -81,12 +81,6 @@ constexpr double nearest_load_ratio = 1.25;
 constexpr int shown_gap_bins = 60;
 constexpr double widest_gap = 4.0; ///< of the distributions, in h_rms
 
-std::string pressure_text(double pressure) {
-  return pressure >= 1e9   ? fmt::format("{:.3g} GPa", pressure * 1e-9)
-         : pressure >= 1e3 ? fmt::format("{:.3g} MPa", pressure * 1e-6)
-                           : fmt::format("{:.3g} Pa", pressure);
-}
-
 CurveStyle colored(std::size_t load, int dash = 1) {
   return line(method_color(load), 1.6, dash);
 }
@@ -110,7 +104,7 @@ Figure separation_figure(const MagnifiedStudy& study) {
   CsvTable table({"load", "index", "zeta [1]", "u/h_rms [1]"});
   ChartPanel panel = logarithmic_panel("u / h_{rms}");
   for (const MagnifiedLoad& load : study.loads) {
-    const std::string name = "p = " + pressure_text(load.pressure);
+    const std::string name = "p = " + quantity_text(load.pressure, "Pa", 3);
     const std::vector<double> zeta = load.seen->values("magnification");
     const std::vector<double> gap = load.seen->values("mean_gap");
     for (std::size_t i = 0; i < zeta.size(); ++i)
@@ -138,7 +132,7 @@ Figure parts_figure(const MagnifiedStudy& study) {
       logarithmic_panel("A/A_0,  u/h_{rms},  h_{rms}(ζ)/h_{rms}");
   for (const std::size_t chosen : three_of(study.loads.size())) {
     const MagnifiedLoad& load = study.loads[chosen];
-    const std::string name = "p = " + pressure_text(load.pressure);
+    const std::string name = "p = " + quantity_text(load.pressure, "Pa", 3);
     const std::vector<double> zeta = load.seen->values("magnification");
     const std::vector<double> area = load.seen->values("area_fraction");
     const std::vector<double> gap = load.seen->values("mean_gap");
@@ -175,13 +169,13 @@ Figure opening_figure(const MagnifiedStudy& study) {
   double top = 0.0;
   for (const std::size_t chosen : three_of(study.loads.size())) {
     const MagnifiedLoad& load = study.loads[chosen];
-    const std::string name = ", p = " + pressure_text(load.pressure);
+    const std::string name = ", p = " + quantity_text(load.pressure, "Pa", 3);
     const std::vector<double> zeta = load.seen->values("magnification");
     const std::vector<double> gap = load.seen->values("mean_gap");
     const std::vector<double> opening = load.seen->values("opening_gap");
     const std::vector<double> area = load.seen->values("area_fraction");
     for (std::size_t i = 0; i < zeta.size(); ++i) {
-      table.add(pressure_text(load.pressure),
+      table.add(quantity_text(load.pressure, "Pa", 3),
                 {static_cast<double>(load.index), zeta[i], gap[i] * 1e9,
                  std::isfinite(opening[i]) ? opening[i] * 1e9 : not_a_number,
                  area[i]});
@@ -237,7 +231,8 @@ void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
                                histogram.density[i] * rms_height});
     }
     panel.add(fmt::format("P_u, {} at {}, {:.3g} at u = 0", method->name,
-                          pressure_text(map->nominal_pressure), 1.0 - open),
+                          quantity_text(map->nominal_pressure, "Pa", 3),
+                          1.0 - open),
               colored(index - 1, 2), index, 3, 4);
   }
 }
@@ -248,8 +243,8 @@ Figure distribution_figure(const ReportEntry& entry,
                            const MagnifiedLoad& load) {
   Figure figure;
   figure.name = fmt::format("separation-distributions-{}", load.index + 1);
-  figure.title =
-      "Distributions of the separation, p = " + pressure_text(load.pressure);
+  figure.title = "Distributions of the separation, p = " +
+                 quantity_text(load.pressure, "Pa", 3);
   CsvTable table({"curve", "index", "u/h_rms [1]", "P h_rms [1]"});
   const std::vector<double> gap = load.gaps->values("gap");
   const std::vector<double> density = load.gaps->values("density");
@@ -294,10 +289,11 @@ void add_leaks(const results::Result& result, Figure& figure) {
   figure.caption += " Leakage through the critical pore, where the non-contact "
                     "area percolates:";
   for (std::size_t i = 0; i < pressures.size() && i < flows.size(); ++i)
-    figure.caption += (i == 0 ? " " : "; ") + pressure_text(pressures[i]) +
+    figure.caption += (i == 0 ? " " : "; ") +
+                      quantity_text(pressures[i], "Pa", 3) +
                       (std::isfinite(flows[i])
-                           ? fmt::format(", {:.2g} kg/s at u₁ = {:.3g} nm",
-                                         flows[i], gaps[i] * 1e9)
+                           ? fmt::format(", {:.2g} kg/s at u₁ = {}", flows[i],
+                                         quantity_text(gaps[i], "m", 3))
                            : std::string(", none"));
   figure.caption += ".";
 }
@@ -378,8 +374,8 @@ Estimate at_magnification(const results::Result& result,
   const results::Table* rows =
       found == pressures.end() ? nullptr : table_of_load(result, load);
   if (rows == nullptr)
-    return {.remark = fmt::format(
-                "p = {:.6g} Pa is not a load of [magnification]", pressure)};
+    return {.remark = fmt::format("p = {} is not a load of [magnification]",
+                                  quantity_text(pressure, "Pa", 6))};
   const bool is_area = asked.quantity == "area_fraction";
   const double value =
       between_rows(rows->values("magnification"),

@@ -1,5 +1,6 @@
 #include "studies/magnification/magnification_tables.hpp"
 
+#include "base/shown_number.hpp"
 #include "base/special_numbers.hpp"
 #include "theory/persson/gap_distribution.hpp"
 #include "theory/persson/leakage.hpp"
@@ -25,7 +26,7 @@ double in_equal_ratios(double from, double to, int k, int n) {
 }
 
 std::string load_text(const MagnifiedContact& contact) {
-  return fmt::format("p = {:.6g} Pa", contact.nominal_pressure());
+  return "p = " + quantity_text(contact.nominal_pressure(), "Pa");
 }
 
 double contact_weight(const MagnifiedContact& contact) {

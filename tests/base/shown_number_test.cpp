@@ -25,11 +25,23 @@ TEST(ShownNumber, QuantitiesHavePrefixesAndNoExponents) {
 
 TEST(ShownNumber, AnIntervalDecidesOnTheDigits) {
   EXPECT_EQ(interval_text(33.21e-9, 32.0e-9, 34.4e-9, "m"), "33 nm (32 to 34)");
-  EXPECT_EQ(interval_text(2.31, 2.12, 2.5, "%"), "2.3 % (2.1 to 2.5)");
-  EXPECT_EQ(interval_text(99.4, 98.81, 100.0, "%"), "99.4 % (98.8 to 100.0)");
+  EXPECT_EQ(interval_text(0.0231, 0.0212, 0.025, "%"), "2.3 % (2.1 to 2.5)");
+  EXPECT_EQ(interval_text(0.994, 0.9881, 1.0, "%"), "99.4 % (98.8 to 100.0)");
   EXPECT_EQ(interval_text(33.21e-9, 33.2099e-9, 33.2101e-9, "m"), "33.2 nm");
   EXPECT_EQ(interval_text(33.21e-9, 33.21e-9, 33.21e-9, "m"), "33.2 nm");
-  EXPECT_EQ(interval_text(2.0, -28.0, 32.0, "%"), "0 % (-30 to 30)");
+  EXPECT_EQ(interval_text(0.02, -0.28, 0.32, "%"), "0 % (-30 to 30)");
+}
+
+TEST(ShownNumber, AnUncertaintyDecidesOnTheDigits) {
+  EXPECT_EQ(uncertain_text(7.206e-2, 1.7e-2, "%"), "7.2 ± 1.7 %");
+  EXPECT_EQ(uncertain_text(5.611e-9, 0.3e-9, "m"), "5.61 ± 0.30 nm");
+  EXPECT_EQ(uncertain_text(393.3e-12, 10.2e-12, "m^2"), "393 ± 10 µm²");
+  EXPECT_EQ(uncertain_text(4.83e-9, 5e-9, "m"), "4.8 ± 5.0 nm");
+  EXPECT_EQ(uncertain_text(-30.77e6, 2.44e6, "Pa"), "-30.8 ± 2.4 MPa");
+  EXPECT_EQ(uncertain_text(98.321e-2, 1e-9, "%"), "98.32 %");
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(uncertain_text(2e6, unknown, "Pa"), "2 MPa");
+  EXPECT_EQ(uncertain_text(unknown, 1.0, "Pa"), "–");
 }
 
 } // namespace

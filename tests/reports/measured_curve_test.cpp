@@ -1,6 +1,7 @@
 // Tests of reports/analysis/measured_curve.hpp and of the names of several
 // results: a user's own curve, in the user's units, stands beside a result with
 // its deviations, and results of one case have names that differ.
+#include "base/shown_number.hpp"
 #include "input/units.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/summary.hpp"
@@ -293,11 +294,11 @@ TEST_F(MeasuredCurve, ReportsBeginInTheUnitsOfALaboratory) {
   const Grid& grid = result.surfaces[0].grid;
   EXPECT_NE(
       text_of(folder / "report.html")
-          .find(fmt::format("<td class=\"number\">1.23 ± 0.12</td><td "
-                            "class=\"number\">{:.4g} ± {:.2g}</td><td "
-                            "class=\"number\">50</td>",
-                            0.0123 * 1e12 * grid.length_x * grid.length_y,
-                            0.00123 * 1e12 * grid.length_x * grid.length_y)),
+          .find(fmt::format("<td class=\"number\">1.23 ± 0.12 %</td><td "
+                            "class=\"number\">{}</td><td "
+                            "class=\"number\">50 nm</td>",
+                            uncertain_text(0.0123 * grid.area(),
+                                           0.00123 * grid.area(), "m^2"))),
       std::string::npos);
   result.methods.resize(1); // the theory alone
   EXPECT_TRUE(answers_of(entry_of(result, rough)).empty());

@@ -84,10 +84,10 @@ TEST(PublishedLine, HasTheDocumentedFormat) {
             "0.448");
   EXPECT_EQ(published_line({{"approach", 2.5e-7, "m", 0.0, "A"},
                             {ours("fem", not_a_number)}}),
-            "exact      approach             2.5e-07 m: fem not determined (no "
+            "exact      approach             250 nm: fem not determined (no "
             "row)");
   EXPECT_EQ(published_line({{"height", 14e-9, "m", 5e-10, "A"}, {}}),
-            "paper      height               1.4e-08 +- 5e-10 m: not computed");
+            "paper      height               14.00 +- 0.50 nm: not computed");
 }
 
 // A program finds the verdict of every method in the words of the page, the
@@ -147,7 +147,7 @@ TEST_F(Published, AreOnThePage) {
   EXPECT_EQ(cell(1, 2), "0.4 ± 0.05");
   EXPECT_EQ(cell(1, 3).rfind("0.4", 0), 0U) << cell(1, 3);
   EXPECT_EQ(cell(2, 3), "–"); // the theory
-  EXPECT_EQ(cell(3, 2), "1.4e-08 ± 5e-10 m");
+  EXPECT_EQ(cell(3, 2), "14.00 ± 0.50 nm");
   EXPECT_EQ(page.select_nodes("//td[@colspan='2']/small").size(), 2U);
   EXPECT_STREQ(
       page.select_node("//table[@class='published']//tr[@class='second']/td")

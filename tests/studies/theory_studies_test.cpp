@@ -117,7 +117,7 @@ TEST(StudyQuantities, StateWhyThereIsNone) {
 
   EXPECT_FALSE(quantities.at(load).has_value());
   EXPECT_EQ(quantities.at(load).remark,
-            "p = 2e+06 Pa is not a load of [magnification]");
+            "p = 2 MPa is not a load of [magnification]");
   EXPECT_EQ(quantities.at(beyond).remark,
             "zeta = 9 lies outside the computed range");
   EXPECT_EQ(quantities.at("adhesion_flip_area").remark,
