@@ -38,10 +38,10 @@ Json parts_of(const SurfaceReport& report, const Json& json) {
     const Grid& grid = map.map.grid;
     parts.push_back(
         part_of(json["maps"][i],
-                fmt::format("{} × {} points over {} × {}. {} {}", grid.points_x,
+                fmt::format("{} × {} points over {} × {}. {}", grid.points_x,
                             grid.points_y, quantity_text(grid.length_x, "m"),
-                            quantity_text(grid.length_y, "m"), map.origin,
-                            fitness_text(map))));
+                            quantity_text(grid.length_y, "m"), map.origin)));
+    parts.back()["fitness"] = fitness_text(map);
   }
   for (std::size_t i = 0; i < report.lines.size(); ++i) {
     const surfaces::LineAnalysis& line = report.lines[i];

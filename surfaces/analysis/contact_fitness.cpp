@@ -49,18 +49,24 @@ ContactFitness contact_fitness(const std::vector<SpectrumRing>& rings,
 }
 
 std::string fitness_sentence(const ContactFitness& fitness) {
+  const bool area = fitness.serves_area();
+  const bool gap = fitness.serves_gap();
   const auto needs = [](bool is_met, double limit) {
-    return is_met ? std::string() : fmt::format(" and needs {:g}", limit);
+    return is_met ? std::string() : fmt::format(", and {:g} are needed", limit);
   };
   return fmt::format(
-      "Good enough for the contact area: {}; for the mean gap of any place: {} "
-      "(noise {} % of the slope{}; {} points per steep wave{}; {} high waves "
-      "per scan{}).",
-      fitness.serves_area() ? "yes" : "no", fitness.serves_gap() ? "yes" : "no",
+      "The map is good enough {} (noise has {} % of the slope{}; {} points per "
+      "steep wave{}; {} high waves per scan{}).",
+      area && gap ? "for contact area and mean gap"
+      : area      ? "for the contact area, but not for the mean gap of other "
+                    "places"
+      : gap       ? "for the mean gap, but not for the contact area"
+            : "neither for the contact area nor for the mean gap of other "
+              "places",
       digits_text(100.0 * fitness.noise_share, 2),
       fitness.noise_share <= ContactFitness::most_noise
           ? ""
-          : " and at most 20 allowed",
+          : ", and at most 20 % are allowed",
       digits_text(fitness.points_per_wave, 2),
       needs(fitness.points_per_wave >= ContactFitness::least_points,
             ContactFitness::least_points),

@@ -43,9 +43,9 @@ ContactFitness contact_fitness(const std::vector<SpectrumRing>& rings,
                                std::optional<double> noise, double spacing,
                                double side);
 
-/// "Good enough for the contact area: yes; for the mean gap of any place: no
-/// (noise 0 % of the slope; 6.3 points per steep wave; 1.2 high waves per scan
-/// and needs 4)."
+/// "The map is good enough for the contact area, but not for the mean gap of
+/// other places (noise has 0 % of the slope; 6.3 points per steep wave; 1.2
+/// high waves per scan, and 4 are needed)."
 std::string fitness_sentence(const ContactFitness& fitness);
 
 } // namespace asperity::surfaces

@@ -35,9 +35,8 @@ TEST(ContactFitness, CountsPointsAndWaves) {
   EXPECT_TRUE(fitness.serves_area());
   EXPECT_TRUE(fitness.serves_gap());
   EXPECT_EQ(fitness_sentence(fitness),
-            "Good enough for the contact area: yes; for the mean gap of any "
-            "place: yes (noise 0 % of the slope; 6 points per steep wave; 5 "
-            "high waves per scan).");
+            "The map is good enough for contact area and mean gap (noise has 0 "
+            "% of the slope; 6 points per steep wave; 5 high waves per scan).");
 }
 
 TEST(ContactFitness, RefusesTheAreaForNoiseAndForFewPoints) {
@@ -49,9 +48,12 @@ TEST(ContactFitness, RefusesTheAreaForNoiseAndForFewPoints) {
   const auto coarse =
       contact_fitness(two_waves(side / 5.0, 3.0 * spacing), {}, spacing, side);
   EXPECT_FALSE(coarse.serves_area());
-  EXPECT_NE(
-      fitness_sentence(coarse).find("3 points per steep wave and needs 4"),
-      std::string::npos);
+  EXPECT_NE(fitness_sentence(coarse).find(
+                "for the mean gap, but not for the contact area"),
+            std::string::npos);
+  EXPECT_NE(fitness_sentence(coarse).find(
+                "3 points per steep wave, and 4 are needed"),
+            std::string::npos);
 }
 
 TEST(ContactFitness, RefusesTheGapForFewLongWaves) {
