@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "results/observables/distributions.hpp"
@@ -137,9 +138,9 @@ Figure pressure_figure(const std::string& method,
       "Markers: realisation 0 in bins of an eighth of √(2 G̃); lines: Eq. (20) "
       "of Yang and Persson (2008) fitted to them by least squares, from which "
       "A/A₀ follows by Eq. (21); dashed: the theory's Eq. (1) at the same "
-      "load, with G of the slope {:.3g}. r = G̃/G. Each curve is divided by its "
+      "load, with G of the slope {}. r = G̃/G. Each curve is divided by its "
       "contact fraction, so that the shapes can be compared.",
-      scales.rms_slope);
+      digits_text(scales.rms_slope, 3));
   panel.x = pressure_axis("contact pressure σ / (E* h')", "contact pressure σ",
                           stress, furthest / stress);
   panel.y.other = density_units("P(σ) A_0 / A", panel.x);
@@ -191,8 +192,8 @@ Figure gap_figure(const std::string& method,
       fmt::format("P_u of Eq. (26) of Yang and Persson (2008) where the "
                   "surfaces are separated, realisation 0, in {} bins up to the "
                   "widest gap; the part in contact is a peak at zero, or below "
-                  "zero for a penalty and for atoms. h_rms = {:.3g} nm.",
-                  gap_bins, scales.rms_height * 1e9);
+                  "zero for a penalty and for atoms. h_rms = {}.",
+                  gap_bins, quantity_text(scales.rms_height, "m", 3));
   if (panel.curves.empty())
     return {};
   figure.panels = {std::move(panel)};
@@ -200,12 +201,14 @@ Figure gap_figure(const std::string& method,
   return figure;
 }
 
-/// Selects up to three complete maps of a method in which some points are in
-/// contact.
-std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
+/// Selects up to three complete maps of a method in which some points press.
+/// @param is_pressed  only those under a load that presses, not pulls
+std::vector<const Fields*> chosen_maps(const results::MethodRecord& method,
+                                       bool is_pressed) {
   std::vector<const Fields*> maps = whole_maps(method);
-  std::erase_if(maps, [](const Fields* fields) {
-    return !(results::extremes_of(fields->pressure_map()).largest > 0.0);
+  std::erase_if(maps, [&](const Fields* fields) {
+    return !(results::extremes_of(fields->pressure_map()).largest > 0.0) ||
+           (is_pressed && !(fields->nominal_pressure > 0.0));
   });
   std::vector<const Fields*> chosen;
   for (const std::size_t i : three_of(maps.size()))
@@ -216,10 +219,11 @@ std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
 /// Calls draw(method, maps, scales) for every method that has maps, with the
 /// scales of its realisation 0.
 template <class Draw>
-std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
+std::vector<Figure> figure_a_method(const ReportEntry& entry, bool is_pressed,
+                                    Draw draw) {
   std::vector<Figure> figures;
   for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
-    const std::vector<const Fields*> maps = chosen_maps(*method);
+    const std::vector<const Fields*> maps = chosen_maps(*method, is_pressed);
     const FigureScales scales = method_scales(entry, *method);
     if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
       figures.push_back(draw(*method, maps, scales));
@@ -229,7 +233,7 @@ std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
 }
 
 std::vector<Figure> pressure_distribution_figures(const ReportEntry& entry) {
-  return figure_a_method(entry,
+  return figure_a_method(entry, true,
                          [](const results::MethodRecord& method,
                             const auto& maps, const FigureScales& scales) {
                            return pressure_figure(method.name, maps, scales);
@@ -237,13 +241,14 @@ std::vector<Figure> pressure_distribution_figures(const ReportEntry& entry) {
 }
 
 std::vector<Figure> gap_distribution_figures(const ReportEntry& entry) {
-  return figure_a_method(entry, [&](const results::MethodRecord& method,
-                                    const auto& maps,
-                                    const FigureScales& scales) {
-    return gap_figure(
-        method.name, maps, scales,
-        contact_criterion_of(*entry.contact_case, method, scales.rms_height));
-  });
+  return figure_a_method(entry, false,
+                         [&](const results::MethodRecord& method,
+                             const auto& maps, const FigureScales& scales) {
+                           return gap_figure(
+                               method.name, maps, scales,
+                               contact_criterion_of(*entry.contact_case, method,
+                                                    scales.rms_height));
+                         });
 }
 
 } // namespace

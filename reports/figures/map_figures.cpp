@@ -67,10 +67,10 @@ Figure map_figure(const std::string& method,
   figure.caption = fmt::format(
       "Realisation 0 at {} loads. Pressure, white where there is none{}, and "
       "gap (in print the lower maps), dark where the surfaces touch. E* h' = "
-      "{:.3g} MPa, h_rms = {:.3g} nm.",
+      "{}, h_rms = {}.",
       chosen.size(), units.has_tension ? " and blue where it is a tension" : "",
-      scales.contact_modulus * scales.rms_slope * 1e-6,
-      scales.rms_height * 1e9);
+      quantity_text(scales.contact_modulus * scales.rms_slope, "Pa", 3),
+      quantity_text(scales.rms_height, "m", 3));
   std::ranges::move(gaps, std::back_inserter(figure.panels));
   figure.grid = map_grid(2, chosen.size());
   figure.grid->margins = {{0.07, 0.92, 0.08, 0.94}};
@@ -90,7 +90,7 @@ MapPairs map_pairs(const results::MethodRecord& method,
     for (const results::Fields& other : shown_maps(reference))
       if (mine.grid == other.grid &&
           std::abs(mine.nominal_pressure - other.nominal_pressure) <=
-              1e-6 * other.nominal_pressure)
+              1e-6 * std::abs(other.nominal_pressure))
         pairs.emplace_back(mine, other);
   return pairs;
 }
@@ -185,12 +185,13 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
   const Grid grid = surface.map_grid();
   const results::StoredMap heights = surface.heights_of_map();
   const MapImage picture = map_image(grid, heights, 1e-9);
-  const double span = std::max(std::abs(picture.least), picture.largest);
+  const double span = height_span(picture);
   Figure figure;
   figure.name = "surface";
   figure.title = "The surface";
   figure.maps.emplace_back("map", map_csv(picture));
   figure.stack = height_stack(grid, heights);
+  figure.stack->quantities.front().span = span;
   CsvTable table({"realization", "rms_height [m]", "rms_slope [1]",
                   "rms_curvature [1/m]", "skewness [1]", "kurtosis [1]",
                   "highest [m]"});
@@ -202,12 +203,14 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
   }
   figure.data = table.text();
   figure.caption = fmt::format(
-      "Heights in nm of realisation 0 over {:.4g} × {:.4g} µm, {} × {} points: "
-      "rms height {:.4g} nm, rms slope {:.3g}, skewness {:.2f}, kurtosis "
-      "{:.2f}.",
-      grid.length_x * 1e6, grid.length_y * 1e6, grid.points_x, grid.points_y,
-      surface.rms_height * 1e9, surface.rms_slope, Shown{surface.skewness},
-      surface.kurtosis);
+      "{} over {} × {}, {} × {} points: rms height {}, rms slope {}, skewness "
+      "{:.2f}, kurtosis {:.2f}.{}",
+      entry.result->surfaces.size() > 1 ? "Heights of realisation 0"
+                                        : "Heights",
+      quantity_text(grid.length_x, "m"), quantity_text(grid.length_y, "m"),
+      grid.points_x, grid.points_y, quantity_text(surface.rms_height, "m", 3),
+      digits_text(surface.rms_slope, 3), Shown{surface.skewness},
+      surface.kurtosis, span_note(picture));
   ChartPanel& panel =
       figure.panels.emplace_back(map_panel(picture, "map", "height"));
   set_colors(panel, -span, span);
@@ -233,14 +236,14 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
   const auto add = [&](const results::SurfaceRecord& face,
                        const std::string& name, const std::string& title) {
     const MapImage picture = map_image(face.grid, face.height_map(), 1e-9);
-    const double span = std::max(std::abs(picture.least), picture.largest);
+    const double span = height_span(picture);
     figure.maps.emplace_back(name, map_csv(picture));
     table.add(name, {face.rms_height, face.rms_slope, face.skewness,
                      face.kurtosis, face.highest});
     ChartPanel& panel =
         figure.panels.emplace_back(map_panel(picture, name, "height"));
-    panel.title =
-        fmt::format("{}, {:.3g} nm rms", title, face.rms_height * 1e9);
+    panel.title = fmt::format("{}, {} rms", title,
+                              quantity_text(face.rms_height, "m", 3));
     panel.x.label = "x [µm]";
     if (figure.panels.size() == 1)
       panel.y.label = "y [µm]";
@@ -253,7 +256,8 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
   add(*sum, "sum", "sum of both");
   figure.caption =
       "Heights in nm, axes in µm. The sum is the surface in the equivalent "
-      "contact of a flat block with the combined stiffness of the two bodies.";
+      "contact of a flat block with the combined stiffness of the two bodies. "
+      "Colours end beyond 99 % of the heights where a few are much larger.";
   figure.data = table.text();
   return figure;
 }

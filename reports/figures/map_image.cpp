@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace asperity::reports {
@@ -63,6 +64,23 @@ ChartPanel map_panel(const MapImage& image, const std::string& map,
   return {.x = axis(image.length_x),
           .y = axis(image.length_y),
           .image = ChartImage{.map = map, .colors = colors}};
+}
+
+double height_span(const MapImage& image) {
+  std::vector<double> sizes;
+  sizes.reserve(image.values.size());
+  for (const double value : image.values)
+    sizes.push_back(std::abs(value));
+  const auto rank =
+      sizes.begin() + std::lround(0.99 * double(sizes.size() - 1));
+  std::ranges::nth_element(sizes, rank);
+  return std::min(1.3 * *rank, std::max(-image.least, image.largest));
+}
+
+std::string span_note(const MapImage& image) {
+  return height_span(image) < std::max(-image.least, image.largest)
+             ? " Colours end beyond 99 % of the heights."
+             : "";
 }
 
 void set_colors(ChartPanel& panel, double low, double high) {

@@ -51,6 +51,14 @@ std::string map_csv(const MapImage& image, double unit = 1.0);
 ChartPanel map_panel(const MapImage& image, const std::string& map,
                      const std::string& colors);
 
+/// Returns the end of the colours of heights about their mean: the largest, or
+/// a third more than 99 % of them if that is less, so that a few spikes, pits
+/// or scan lines do not take all colours. [unit]
+double height_span(const MapImage& image);
+
+/// " Colours end beyond 99 % of the heights.", or "" if they cover all.
+std::string span_note(const MapImage& image);
+
 /// Sets the ends of the colours, with few enough ticks that their numbers fit
 /// beside the next map.
 void set_colors(ChartPanel& panel, double low, double high);

@@ -38,12 +38,24 @@ std::string data_uri(const std::string& svg) {
   return uri;
 }
 
+/// The page inverts its pictures on a dark screen; maps and their colours are
+/// inverted once more, so that they keep their meaning.
+std::string with_kept_colors(std::string svg) {
+  if (svg.find("<image") == svg.npos)
+    return svg;
+  return svg.insert(svg.find('>', svg.find("<svg")) + 1,
+                    "<style>@media screen and (prefers-color-scheme: dark) { "
+                    "image, polygon { filter: invert(1) hue-rotate(180deg); } "
+                    "}</style>");
+}
+
 Json figure_data(const DrawnFigure& drawn) {
   Json figure = {{"title", drawn.title},
                  {"caption", drawn.caption},
                  {"is_wide", is_wide(drawn.svg)},
-                 {"is_plot", drawn.svg.find("<image") == std::string::npos},
-                 {"picture", drawn.svg.empty() ? "" : data_uri(drawn.svg)},
+                 {"picture", drawn.svg.empty()
+                                 ? ""
+                                 : data_uri(with_kept_colors(drawn.svg))},
                  {"problem", drawn.svg.empty() ? drawn.problem : ""},
                  {"explore", drawn.explore},
                  {"is_first", false}};

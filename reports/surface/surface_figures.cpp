@@ -17,23 +17,10 @@
 namespace asperity::reports {
 namespace {
 
-/// The height above the mean that a fraction of the nodes exceed.
-double height_above(const surfaces::HeightMap& map, double fraction) {
-  std::vector<double> heights = map.heights;
-  const auto rank =
-      heights.begin() + std::lround(fraction * double(heights.size() - 1));
-  std::ranges::nth_element(heights, rank, std::greater<>());
-  return *rank - surfaces::mean_height(map);
-}
-
 Figure topography_figure(const surfaces::MapAnalysis& map) {
   const Grid& grid = map.map.grid;
   const MapImage picture = map_image(grid, map.map.heights, 1e-9);
-  const double largest = std::max(-picture.least, picture.largest);
-  // A few deep pits or scan lines must not take all colours.
-  const double tail =
-      std::max(height_above(map.map, 0.005), -height_above(map.map, 0.995));
-  const double shown = std::min(largest, 1.3 * 1e9 * tail);
+  const double shown = height_span(picture);
   const bool is_high = shown > 2000.0;
   const double unit = is_high ? 1e-3 : 1.0;
   const double span = shown * unit;
@@ -47,8 +34,7 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
   figure.caption = fmt::format("{} × {} points over {} × {}. {}", grid.points_x,
                                grid.points_y, quantity_text(grid.length_x, "m"),
                                quantity_text(grid.length_y, "m"), map.origin);
-  if (shown < largest)
-    figure.caption += " Colours end beyond 99 % of the heights.";
+  figure.caption += span_note(picture);
   // A stripe would be unreadable at its true proportions.
   const double ratio = grid.length_y / grid.length_x;
   const bool is_stripe = ratio > 3.0 || ratio < 1.0 / 3.0;
@@ -146,16 +132,17 @@ Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
   figure.caption =
       is_slope
           ? fmt::format("Rms slope of differences over a distance, both "
-                        "directions. Over one spacing: {:.4g}; by the "
-                        "spectrum: {:.4g}.",
-                        map.heights.sdq, map.spectrum.rms_slope)
+                        "directions. Over one spacing: {}; by the "
+                        "spectrum: {}.",
+                        digits_text(map.heights.sdq, 4),
+                        digits_text(map.spectrum.rms_slope, 4))
           : fmt::format("Rms value of half the Laplacian of differences over a "
                         "distance, and the curvature of the sharpest peak. A "
                         "tip of radius R shapes the map where the latter "
-                        "exceeds 1/(2R). Over one spacing: {:.4g} 1/m; by the "
-                        "spectrum: {:.4g} 1/m.",
-                        map.neighbours.rms_curvature(),
-                        map.spectrum.rms_curvature);
+                        "exceeds 1/(2R). Over one spacing: {}; by the "
+                        "spectrum: {}.",
+                        quantity_text(map.neighbours.rms_curvature(), "1/m"),
+                        quantity_text(map.spectrum.rms_curvature, "1/m"));
   figure.panels = {
       {.x = {.label = "distance [µm]", .is_log = true},
        .y = {.label = is_slope ? "rms slope" : "curvature [1/m]",

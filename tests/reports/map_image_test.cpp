@@ -42,6 +42,23 @@ TEST(MapImage, DoesNotStretchBlocksOverPointsThatAreLeftOut) {
   EXPECT_EQ(map_csv(image).substr(0, 16), "171,1.5,4.5,7.5,");
 }
 
+// Of 1000 heights up to 10 nm, five are spikes: the colours leave them out, and
+// the caption says so.
+TEST(MapImage, ColoursAreNotThoseOfAFewSpikes) {
+  const Grid grid{100, 10, 1e-6, 1e-6};
+  std::vector<double> map(grid.size(), 10e-9);
+  for (std::size_t i = 0; i < map.size(); i += 2)
+    map[i] = -8e-9;
+  const MapImage even = map_image(grid, map, 1e-9);
+  EXPECT_DOUBLE_EQ(height_span(even), 10.0);
+  EXPECT_EQ(span_note(even), "");
+  for (std::size_t i = 0; i < 5; ++i)
+    map[i] = 500e-9;
+  const MapImage spiked = map_image(grid, map, 1e-9);
+  EXPECT_DOUBLE_EQ(height_span(spiked), 13.0);
+  EXPECT_EQ(span_note(spiked), " Colours end beyond 99 % of the heights.");
+}
+
 // The shorter side keeps two tics at least.
 TEST(MapImage, ChoosesTicsForTheLongerSide) {
   const auto tics = [](double length_x, double length_y) {
