@@ -132,7 +132,9 @@ std::string rendered_page(std::string_view page_template, Json page) {
       {"page_facts", page_facts},
       {"page_end", page_end},
       {"figure", figure_template},
-      {"constants", constants_template}};
+      {"constants", constants_template},
+      {"sample_loads", sample_loads_template},
+      {"sample_maps", sample_maps_template}};
   Formats formats;
   add_formats(page_template, formats);
   Data data = data_of(page, formats);

@@ -41,15 +41,31 @@ std::string method_of_samples(const SweptResults& results) {
   return first;
 }
 
-bool are_same_loads(const std::vector<CurvePoint>& one,
-                    const std::vector<CurvePoint>& other) {
+double state_of(const SweptCurve& curve, const CurvePoint& row, bool is_gap) {
+  return is_gap ? row.mean_gap / curve.rms_height : row.nominal_pressure;
+}
+
+bool are_same_loads(const SweptCurve& one, const SweptCurve& other,
+                    bool is_gap) {
   constexpr double tolerance = 1e-3; // of a load that a solver has reached
   return std::ranges::equal(
-      one, other, [](const CurvePoint& a, const CurvePoint& b) {
-        return std::abs(a.nominal_pressure - b.nominal_pressure) <=
-                   tolerance * std::abs(a.nominal_pressure) &&
+      one.rows, other.rows, [&](const CurvePoint& a, const CurvePoint& b) {
+        const double state = state_of(one, a, is_gap);
+        return std::abs(state - state_of(other, b, is_gap)) <=
+                   tolerance * std::abs(state) &&
                a.is_unloading == b.is_unloading;
       });
+}
+
+/// What the curves share; without a name if they share nothing.
+SampleColumn shared_state(const std::vector<const SweptCurve*>& curves) {
+  for (const bool is_gap : {false, true})
+    if (std::ranges::all_of(curves, [&](const SweptCurve* curve) {
+          return are_same_loads(*curves.front(), *curve, is_gap);
+        }))
+      return is_gap ? SampleColumn{"mean_gap_over_rms_height", "1"}
+                    : SampleColumn{"nominal_pressure", "Pa"};
+  return {};
 }
 
 void evaluate(SampleValues& column) {
@@ -65,13 +81,15 @@ void evaluate(SampleValues& column) {
     column.outliers.push_back(places[i]);
 }
 
-/// The columns of studies that a row has, in the order of all columns.
+/// The columns of studies that a row has, in the order of all columns; those of
+/// adhesion are in curves.csv of each sample.
 std::vector<const results::CurveColumn*>
 studied_columns(const std::vector<const SweptCurve*>& curves) {
   std::vector<const results::CurveColumn*> found;
   for (const results::CurveColumn& column : results::curve_columns())
     if (!column.owner().empty() && column.owner() != "fit" &&
-        !column.is_integer && column.use == results::ColumnUse::answer &&
+        column.owner() != "adhesion" && !column.is_integer &&
+        column.use == results::ColumnUse::answer &&
         std::ranges::any_of(curves, [&](const SweptCurve* curve) {
           return std::ranges::any_of(curve->rows, [&](const CurvePoint& row) {
             return std::isfinite(row[column]);
@@ -89,56 +107,28 @@ std::string named_outliers(const SampleLoads& table,
   return names;
 }
 
-std::string percent(double share, int digits = 3) {
-  return std::isfinite(share) ? fmt::format("{:.{}g} %", 100.0 * share, digits)
-                              : "–";
-}
-
-/// "33.1 nm (standard deviation 2.3 nm)"
-std::string with_deviation(const SampleValues& values, bool is_share) {
-  const auto text = [&](double value, int digits) {
-    return is_share ? percent(value, digits)
-                    : quantity_text(value, "m", digits);
-  };
-  return fmt::format("{} (standard deviation {})", text(values.spread.mean, 3),
-                     text(values.spread.deviation, 2));
-}
-
 constexpr const char* outlier_colors[] = {"#d55e00", "#009e73", "#cc79a7",
                                           "#e69f00", "#0072b2"};
 
-Figure sample_figure(const SampleLoads& table, bool is_area) {
-  const double mega = 1e-6;
-  const double nano = 1e9;
-  Figure figure;
-  figure.name = is_area ? "samples-area-pressure" : "samples-pressure-gap";
-  figure.title =
-      is_area ? "Contact area against pressure" : "Pressure against mean gap";
-  CsvTable rows({"sample", "index", "p [MPa]", "area [%]", "mean gap [nm]"});
-  ChartPanel panel{.x = {.label = is_area ? "p [MPa]" : "mean gap [nm]"},
-                   .y = {.label = is_area ? "contact area [%]" : "p [MPa]",
-                         .is_log = true,
-                         .has_powers = true},
-                   .has_narrow_legend = true};
-  panel.x.is_log = panel.x.has_powers = is_area;
-  const int x = is_area ? 3 : 5;
-  const int y = is_area ? 4 : 3;
-  const auto add = [&](const std::string& name, std::size_t index,
-                       const auto& value) {
-    for (const SampleLoad& load : table.loads)
-      rows.add(name,
-               {static_cast<double>(index), load.pressure * mega,
-                100.0 * value(load.columns[0]), nano * value(load.columns[1])});
-  };
+/// The axis of a column or of the shared pressure, in the unit that suits its
+/// largest value.
+ChartAxis physical_axis(bool is_pressure, double largest) {
+  ChartAxis axis = is_pressure
+                       ? pressure_axis("", "nominal pressure p", 1.0, largest)
+                       : length_axis("", "mean gap", 1.0, largest);
+  axis.label = axis.other->label;
+  return axis;
+}
+
+/// Adds the line of each sample, outliers by name.
+void add_sample_lines(const SampleLoads& table, std::size_t judged, int x,
+                      int y, ChartPanel& panel) {
   bool is_told = false;
   std::size_t n_outliers = 0;
   for (std::size_t i = 0; i < table.samples.size(); ++i) {
-    add(table.samples[i], i,
-        [&](const SampleValues& column) { return column.values[i]; });
     const bool is_outlier =
         std::ranges::any_of(table.loads, [&](const SampleLoad& load) {
-          return std::ranges::count(load.columns[is_area ? 0 : 1].outliers, i) >
-                 0;
+          return std::ranges::count(load.columns[judged].outliers, i) > 0;
         });
     const std::string label =
         is_outlier ? table.samples[i]
@@ -153,11 +143,75 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
             : line("#56b4e9", 1.0),
         i, x, y);
   }
-  add("mean", table.samples.size(),
-      [](const SampleValues& column) { return column.spread.mean; });
   panel.add("mean", line("#222222", 2.2), table.samples.size(), x, y);
+}
+
+/// Around the largest tension, beside which a load that presses is large.
+void show_tension(const SampleLoads& table, double factor, ChartPanel& panel) {
+  double least = 0.0;
+  double largest = 0.0;
+  for (const SampleLoad& load : table.loads)
+    for (const double pressure : load.columns[2].values) {
+      least = std::min(least, pressure * factor);
+      largest = std::max(largest, pressure * factor);
+    }
+  panel.has_zero_line = true;
+  if (least < 0.0 && largest > -3.0 * least) {
+    panel.y.low = rounded(1.2 * least, 4);
+    panel.y.high = rounded(-1.2 * least, 4);
+  }
+}
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values)
+    largest = std::fmax(largest, std::abs(value));
+  return largest;
+}
+
+Figure sample_figure(const SampleLoads& table, bool is_area) {
+  const bool is_by_gap = table.is_by_gap();
+  double stress = 0.0;
+  double length = 0.0;
+  for (const SampleLoad& load : table.loads) {
+    stress = std::max(stress, is_by_gap ? largest_size(load.columns[2].values)
+                                        : load.state);
+    length = std::max(length, largest_size(load.columns[1].values));
+  }
+  const ChartAxis pressures = physical_axis(true, stress);
+  const ChartAxis gaps = physical_axis(false, length);
+  Figure figure;
+  figure.name = !is_area    ? "samples-pressure-gap"
+                : is_by_gap ? "samples-area-gap"
+                            : "samples-area-pressure";
+  figure.title = !is_area    ? "Pressure against mean gap"
+                 : is_by_gap ? "Contact area against mean gap"
+                             : "Contact area against pressure";
+  CsvTable rows({"sample", "index", pressures.label, "area [%]", gaps.label});
+  for (std::size_t i = 0; i <= table.samples.size(); ++i)
+    for (const SampleLoad& load : table.loads) {
+      const auto value = [&](std::size_t column) {
+        const SampleValues& values = load.columns[column];
+        return i < table.samples.size() ? values.values[i] : values.spread.mean;
+      };
+      rows.add(i < table.samples.size() ? table.samples[i] : "mean",
+               {static_cast<double>(i),
+                (is_by_gap ? value(2) : load.state) * pressures.other->factor,
+                100.0 * value(0), value(1) * gaps.other->factor});
+    }
+  ChartPanel panel{
+      .x = {.label = is_area && !is_by_gap ? pressures.label : gaps.label},
+      .y = {.label = is_area ? "contact area [%]" : pressures.label},
+      .has_narrow_legend = true};
+  if (!is_by_gap)
+    panel.y.is_log = panel.y.has_powers = true;
+  panel.x.is_log = panel.x.has_powers = is_area && !is_by_gap;
+  add_sample_lines(table, is_area ? 0 : table.n_common() - 1,
+                   is_area && !is_by_gap ? 3 : 5, is_area ? 4 : 3, panel);
+  if (is_by_gap && !is_area)
+    show_tension(table, pressures.other->factor, panel);
   figure.caption = fmt::format(
-      "{} of each map, named where the pointer is, and the mean over all; maps "
+      "Each map by {}, named where the pointer is, and the mean over all; maps "
       "that are outliers at a load have their own colour and name.",
       table.method);
   figure.is_physical = true;
@@ -177,6 +231,25 @@ std::ptrdiff_t SampleValues::zeros() const {
   return std::ranges::count(values, 0.0);
 }
 
+std::string SampleLoads::state_text(const SampleLoad& load) const {
+  return (is_by_gap() ? digits_text(load.state, 3) + " h_rms"
+                      : quantity_text(load.state, "Pa", 3)) +
+         (!load.is_unloading ? ""
+          : is_by_gap()      ? ", way back"
+                             : " (unloading)");
+}
+
+std::string SampleLoads::column_text(const SampleLoad& load,
+                                     std::size_t column) const {
+  const Spread& spread = load.columns[column].spread;
+  return uncertain_text(spread.mean, spread.deviation, columns[column].unit);
+}
+
+std::string sample_name(const SweepRecord& record, std::size_t point) {
+  return value_label(
+      record.keys.front().values[record.points[point].choice.front()]);
+}
+
 SampleLoads sample_loads(const SweepRecord& record,
                          const SweptResults& results) {
   SampleLoads table;
@@ -187,23 +260,26 @@ SampleLoads sample_loads(const SweepRecord& record,
   for (const auto& result : results)
     if (const SweptCurve* curve = curve_called(*result, table.method);
         curve != nullptr && !curve->rows.empty()) {
-      if (!curves.empty() && !are_same_loads(curves[0]->rows, curve->rows))
-        return table;
       curves.push_back(curve);
-      table.samples.push_back(value_label(
-          record.keys[0].values[record.points[result->point].choice[0]]));
+      table.samples.push_back(sample_name(record, result->point));
     }
-  if (curves.empty())
+  if (!curves.empty())
+    table.state = shared_state(curves);
+  if (table.state.name.empty())
     return table;
   const std::vector<const results::CurveColumn*> studied =
       studied_columns(curves);
-  table.columns = {{"area_fraction", "1"}, {"mean_gap", "m"}};
+  table.columns = {{"area_fraction", "%"}, {"mean_gap", "m"}};
+  if (table.is_by_gap())
+    table.columns.push_back({"nominal_pressure", "Pa"});
   for (const results::CurveColumn* column : studied)
     table.columns.push_back(
         {std::string(column->name), std::string(column->unit)});
   for (std::size_t step = 0; step < curves[0]->rows.size(); ++step) {
     const CurvePoint& of_first = curves[0]->rows[step];
-    SampleLoad load{of_first.nominal_pressure, of_first.is_unloading, {}};
+    SampleLoad load{state_of(*curves[0], of_first, table.is_by_gap()),
+                    of_first.is_unloading,
+                    {}};
     load.columns.resize(table.columns.size());
     for (const SweptCurve* curve : curves) {
       const CurvePoint& row = curve->rows[step];
@@ -212,8 +288,10 @@ SampleLoads sample_loads(const SweepRecord& record,
               ? row.area_fraction_corrected
               : row.area_fraction);
       load.columns[1].values.push_back(row.mean_gap);
+      if (table.is_by_gap())
+        load.columns[2].values.push_back(row.nominal_pressure);
       for (std::size_t i = 0; i < studied.size(); ++i)
-        load.columns[2 + i].values.push_back(row[*studied[i]]);
+        load.columns[table.n_common() + i].values.push_back(row[*studied[i]]);
     }
     for (SampleValues& column : load.columns)
       evaluate(column);
@@ -226,15 +304,17 @@ SampleLoads sample_loads(const SweepRecord& record,
 }
 
 std::string sample_loads_csv(const SampleLoads& table) {
-  std::string text = "sample,method,nominal_pressure [Pa],is_unloading";
+  std::string text = fmt::format("sample,method,{} [{}],is_unloading",
+                                 table.state.name, table.state.unit);
   for (const SampleColumn& column : table.columns)
-    text += fmt::format(",{} [{}]", column.name, column.unit);
+    text += fmt::format(",{} [{}]", column.name,
+                        column.unit == "%" ? "1" : column.unit);
   text += "\n";
   const auto add = [&](const std::string& name, const SampleLoad& load,
                        const auto& cell) {
     text +=
         fmt::format("{},{},{:.10g},{}", csv_cell(name), csv_cell(table.method),
-                    load.pressure, load.is_unloading ? 1 : 0);
+                    load.state, load.is_unloading ? 1 : 0);
     for (const SampleValues& column : load.columns)
       text += "," + cell(column);
     text += "\n";
@@ -267,27 +347,26 @@ std::string sample_loads_csv(const SampleLoads& table) {
 std::string sample_loads_text(const SampleLoads& table) {
   if (table.loads.empty())
     return "";
+  const std::size_t second = table.n_common() - 1;
+  const int width = table.is_by_gap() ? 21 : 10;
   std::string text = fmt::format(
-      "{}, {} maps: mean and standard deviation of one map\n{:>10}  {:>16}  "
-      "{:>22}  outliers\n",
-      table.method, table.samples.size(), "pressure", "contact area",
-      "mean gap");
+      "{}, {} maps: mean and standard deviation of one map\n{:>{}}  {:>15}  "
+      "{:>17}  outliers\n",
+      table.method, table.samples.size(),
+      table.is_by_gap() ? "mean gap" : "pressure", width, "contact area",
+      table.is_by_gap() ? "pressure" : "mean gap");
   for (const SampleLoad& load : table.loads) {
-    const SampleValues& area = load.columns[0];
-    const SampleValues& gap = load.columns[1];
-    const std::string of_area = named_outliers(table, area);
-    text += fmt::format("{:>10}  {:>7} ± {:>7}  {:>10} ± {:>10}  {}\n",
-                        quantity_text(load.pressure, "Pa", 3),
-                        percent(area.spread.mean),
-                        percent(area.spread.deviation, 2),
-                        quantity_text(gap.spread.mean, "m", 3),
-                        quantity_text(gap.spread.deviation, "m", 2),
-                        of_area.empty() ? named_outliers(table, gap) : of_area);
+    const std::string of_area = named_outliers(table, load.columns[0]);
+    text += fmt::format(
+        "{:>{}}  {:>15}  {:>17}  {}\n", table.state_text(load), width,
+        table.column_text(load, 0), table.column_text(load, second),
+        of_area.empty() ? named_outliers(table, load.columns[second])
+                        : of_area);
   }
   return text;
 }
 
-std::string sample_sentence(const SampleLoads& table) {
+const SampleLoad* usual_load(const SampleLoads& table) {
   const SampleLoad* nearest = nullptr;
   const auto distance = [](const SampleLoad& load) {
     return std::abs(std::log(load.columns[0].spread.mean / 0.1));
@@ -295,13 +374,22 @@ std::string sample_sentence(const SampleLoads& table) {
   for (const SampleLoad& load : table.loads)
     if (nearest == nullptr || distance(load) < distance(*nearest))
       nearest = &load;
-  if (nearest == nullptr)
+  return nearest;
+}
+
+std::string sample_sentence(const SampleLoads& table) {
+  const SampleLoad* const load = usual_load(table);
+  if (load == nullptr)
     return "";
   return fmt::format(
-      "At {}, {} of the area touches, and the mean gap is {}, over {} maps.",
-      quantity_text(nearest->pressure, "Pa", 3),
-      with_deviation(nearest->columns[0], true),
-      with_deviation(nearest->columns[1], false), table.samples.size());
+      "At {}{}, {} of the area touches{}, over {} maps (mean and standard "
+      "deviation).",
+      table.is_by_gap() ? "a mean gap of " : "", table.state_text(*load),
+      table.column_text(*load, 0),
+      table.is_by_gap()
+          ? ""
+          : ", and the mean gap is " + table.column_text(*load, 1),
+      table.samples.size());
 }
 
 std::vector<Figure> sample_figures(const SampleLoads& table) {

@@ -1,7 +1,8 @@
 #pragma once
 
 // Area, mean gap and the answers of studies at the loads that all samples of a
-// sweep share: one table of maps and loads, its statistics, and its figures.
+// sweep share, nominal pressures or mean gaps over their rms heights: one table
+// of maps and loads, its statistics, and its figures.
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/sweeps/swept_results.hpp"
@@ -24,28 +25,46 @@ struct SampleValues {
 };
 
 struct SampleLoad {
-  double pressure = 0.0;             ///< [Pa]
+  double state = 0.0;                ///< by which it is SampleLoads::state
   bool is_unloading = false;         ///< on the way back
   std::vector<SampleValues> columns; ///< of SampleLoads::columns
 };
 
 struct SampleColumn {
   std::string name; ///< of the column: "mean_gap"
-  std::string unit; ///< SI
+  std::string unit; ///< SI; "%": a share of 1 that is shown in per cent
 };
 
 /// One method at the loads that all samples share.
 struct SampleLoads {
   std::string method;               ///< the first one that is no theory, if any
   std::vector<std::string> samples; ///< names
-  /// Contact area, corrected where it can be, and mean gap; then those of
-  /// studies that any sample has.
+  /// What all samples share: the nominal pressure, or else the mean gap over
+  /// the rms height of each.
+  SampleColumn state;
+  /// Contact area, corrected where it can be, and mean gap; the nominal
+  /// pressure if the samples share the gap; then those of studies that any
+  /// sample has.
   std::vector<SampleColumn> columns;
   std::vector<SampleLoad> loads; ///< in the order of the loading path
+
+  bool is_by_gap() const { return state.unit == "1"; }
+
+  /// Number of the columns that are not of studies.
+  std::size_t n_common() const { return is_by_gap() ? 3 : 2; }
+
+  /// "1 MPa" or "0.5 h_rms", with what the way back is called.
+  std::string state_text(const SampleLoad& load) const;
+
+  /// "6.5 ± 4.4 %": mean and standard deviation of one sample.
+  std::string column_text(const SampleLoad& load, std::size_t column) const;
 };
 
-/// Returns the table; without loads if the sweep has no samples, or these were
-/// not pressed with the same pressures.
+/// The name of a sample: the value of the only swept key.
+std::string sample_name(const SweepRecord& record, std::size_t point);
+
+/// Returns the table; without loads if the sweep has no samples, or these share
+/// neither pressures nor gaps.
 SampleLoads sample_loads(const SweepRecord& record,
                          const SweptResults& results);
 
@@ -54,16 +73,18 @@ SampleLoads sample_loads(const SweepRecord& record,
 /// and "samples with 0": loads.csv.
 std::string sample_loads_csv(const SampleLoads& table);
 
-/// Returns a line per load for a terminal: area and mean gap with their
-/// standard deviations, and the outliers; "" without loads.
+/// Returns a line per load for a terminal: area and mean gap, or pressure, with
+/// their standard deviations, and the outliers; "" without loads.
 std::string sample_loads_text(const SampleLoads& table);
 
-/// Returns the sentence on the load whose mean contact area is nearest to
-/// 10 %; "" without loads.
+/// The load whose mean contact area is nearest to 10 %; null without loads.
+const SampleLoad* usual_load(const SampleLoads& table);
+
+/// Returns the sentence on the usual load; "" without loads.
 std::string sample_sentence(const SampleLoads& table);
 
-/// Returns area against pressure and pressure against mean gap: a line per
-/// sample and their mean.
+/// Returns area against pressure, or mean gap, and pressure against mean gap: a
+/// line per sample and their mean.
 std::vector<Figure> sample_figures(const SampleLoads& table);
 
 } // namespace asperity::reports

@@ -3,7 +3,6 @@
 #include "base/atomic_file.hpp"
 #include "base/json.hpp"
 #include "base/read_file.hpp"
-#include "reports/analysis/exact.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/explore/packed.hpp"
 #include "reports/numbers/number_text.hpp"
@@ -11,6 +10,7 @@
 #include "reports/pages/page_data.hpp"
 #include "reports/report_template.hpp"
 #include "reports/sweeps/sample_loads.hpp"
+#include "reports/sweeps/sample_maps.hpp"
 #include "reports/sweeps/sweep_figures.hpp"
 #include "reports/sweeps/sweep_scatter.hpp"
 
@@ -93,12 +93,6 @@ Json point_rows(const SweepRecord& record, const SweptResults& results,
   return rows;
 }
 
-/// The value of the only swept key at a point.
-std::string sample_name(const SweepRecord& record, std::size_t point) {
-  return value_label(
-      record.keys.front().values[record.points[point].choice.front()]);
-}
-
 /// One row per method and quantity over all samples, of the quantities that
 /// the figures show first and of the roughness.
 Json scatter_rows(const SweepRecord& record, const SweptResults& results) {
@@ -133,13 +127,6 @@ Json scatter_rows(const SweepRecord& record, const SweptResults& results) {
   return rows;
 }
 
-/// A value of a column with its unit; a contact area in per cent.
-std::string column_text(const SampleColumn& column, double value, int digits) {
-  if (column.name == "area_fraction" && std::isfinite(value))
-    return fmt::format("{:.{}g} %", 100.0 * value, digits);
-  return quantity_text(value, column.unit, digits);
-}
-
 /// Says which samples are not in a mean, and which are 0 in it: sealed ones.
 std::string counted_samples(const SampleValues& column) {
   const auto all = std::ssize(column.values);
@@ -154,41 +141,42 @@ std::string counted_samples(const SampleValues& column) {
 /// Adds the tables at the loads that all samples share: their statistics, and
 /// every sample.
 void set_loads(Json& page, const SampleLoads& table) {
+  page["is_by_gap"] = table.is_by_gap();
+  page["has_outliers"] = false;
+  page["state_head"] = table.is_by_gap() ? "Mean gap" : "Pressure";
   page["load_heads"] = Json::array();
   page["loads"] = Json::array();
   page["sample_rows"] = Json::array();
   for (const SampleColumn& column : table.columns) {
-    std::string head = column.name;
+    std::string head =
+        column.name == "area_fraction" ? "contact area" : column.name;
     std::ranges::replace(head, '_', ' '); // allows line breaks
     page["load_heads"].push_back(head);
   }
   for (const SampleLoad& load : table.loads) {
-    const std::string pressure = quantity_text(load.pressure, "Pa", 3) +
-                                 (load.is_unloading ? " (unloading)" : "");
+    const std::string state = table.state_text(load);
     Json cells = Json::array();
     std::string outliers;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
       const SampleValues& values = load.columns[c];
-      cells.push_back(
-          {{"mean", column_text(table.columns[c], values.spread.mean, 3)},
-           {"deviation",
-            column_text(table.columns[c], values.spread.deviation, 2) +
-                counted_samples(values)}});
-      if (c > 1) // of studies in loads.csv
+      cells.push_back(table.column_text(load, c) + counted_samples(values));
+      if (c >= table.n_common()) // of studies in loads.csv
         continue;
       for (const std::size_t sample : values.outliers)
         if (outliers.find(table.samples[sample]) == outliers.npos)
           outliers += (outliers.empty() ? "" : ", ") + table.samples[sample];
     }
-    page["loads"].push_back({{"pressure", pressure},
+    if (!outliers.empty())
+      page["has_outliers"] = true;
+    page["loads"].push_back({{"state", state},
                              {"cells", cells},
                              {"outliers", outliers.empty() ? "–" : outliers}});
     for (std::size_t i = 0; i < table.samples.size(); ++i) {
       Json of_sample = Json::array();
       for (std::size_t c = 0; c < table.columns.size(); ++c)
         of_sample.push_back(
-            column_text(table.columns[c], load.columns[c].values[i], 4));
-      page["sample_rows"].push_back({{"pressure", pressure},
+            quantity_text(load.columns[c].values[i], table.columns[c].unit));
+      page["sample_rows"].push_back({{"state", state},
                                      {"sample", table.samples[i]},
                                      {"cells", of_sample}});
     }
@@ -215,25 +203,41 @@ Json limit_rows(const std::vector<SweepLimit>& limits) {
   return rows;
 }
 
-/// The surfaces of the points that have a report of their own.
-Json gallery(const SweepRecord& record, const std::filesystem::path& out) {
-  constexpr std::size_t most_pictures = 24; // some 200 KB each
+/// The picture of a map without its axes, as in the figure of its report; ""
+/// without one.
+std::string thumbnail(const std::filesystem::path& point) {
   constexpr std::uintmax_t largest_picture = 4 << 20;
-  Json pictures = Json::array();
-  for (std::size_t point = 0; point < record.points.size(); ++point) {
-    const std::filesystem::path folder = point_folder(point);
-    const std::filesystem::path file = out / folder / "figures" / "surface.svg";
-    if (pictures.size() == most_pictures || !std::filesystem::exists(file))
-      continue;
-    try {
-      pictures.push_back({{"picture", base64(read_file(file, largest_picture))},
-                          {"folder", folder.string()},
-                          {"name", sample_name(record, point)}});
-    } catch (const FileError&) {
-      continue; // its report shows it
-    }
+  constexpr std::string_view head = "data:image/png;base64,";
+  const std::filesystem::path file = point / "figures" / "surface.svg";
+  if (!std::filesystem::exists(file))
+    return "";
+  try {
+    const std::string svg = read_file(file, largest_picture);
+    const std::size_t begin = svg.find(head);
+    return begin == svg.npos
+               ? ""
+               : svg.substr(begin, svg.find_first_of("'\"", begin) - begin);
+  } catch (const FileError&) {
+    return ""; // its report shows it
   }
-  return pictures;
+}
+
+/// The table of the maps, each with its picture.
+void set_maps(Json& page, const SampleMaps& maps,
+              const std::filesystem::path& out) {
+  page["map_heads"] = maps.heads;
+  page["maps"] = Json::array();
+  for (const SampleMap& map : maps.rows) {
+    const std::filesystem::path folder = point_folder(map.point);
+    const bool has_report =
+        !map.is_statistic &&
+        std::filesystem::exists(out / folder / "report.html");
+    page["maps"].push_back(
+        {{"name", map.name},
+         {"folder", has_report ? folder.string() : ""},
+         {"picture", has_report ? thumbnail(out / folder) : ""},
+         {"cells", map.cells}});
+  }
 }
 
 /// The root mean square of the errors of a theory over the points, with the
@@ -297,32 +301,6 @@ Json key_rows(const SweepRecord& record) {
   return rows;
 }
 
-/// The largest tension of samples with adhesion, whose loads are gaps of their
-/// own; "" if there are fewer than two.
-std::string tension_sentence(const SweptResults& results) {
-  std::vector<double> tensions;
-  bool is_bound = false;
-  for (const auto& result : results)
-    for (const SweptCurve& curve : result->curves)
-      if (const Estimate* const pull =
-              swept_estimate(*result, curve.method, "pull_off_pressure");
-          pull != nullptr && pull->has_value()) {
-        tensions.push_back(largest_tension(curve.rows));
-        is_bound = is_bound || !why_more_may_hold(curve.rows).empty();
-        break;
-      }
-  if (tensions.size() < 2)
-    return "";
-  const Spread spread = spread_of(tensions);
-  return fmt::format(
-      "The largest tension is {}{} (standard deviation {}) over "
-      "{} maps{}.",
-      is_bound ? "at least " : "", quantity_text(spread.mean, "Pa", 3),
-      quantity_text(spread.deviation, "Pa", 2), tensions.size(),
-      is_bound ? ", because some paths end in tension or never press the faces"
-               : "");
-}
-
 /// @param answer  in the place of verdicts, if nothing is expected; may be ""
 void set_banner(Json& page, const SweptResults& results,
                 const std::string& answer) {
@@ -375,7 +353,6 @@ Json page_of(Json page, const SweepRecord& record, const SweptResults& results,
   page["quantity_heads"] = heads;
   page["rows"] = point_rows(record, results, quantities, out);
   page["scatter"] = is_sampled ? scatter_rows(record, results) : Json::array();
-  page["gallery"] = is_sampled ? gallery(record, out) : Json::array();
   const Json laws = law_rows(results);
   page["laws"] = laws.size() > 1 ? laws : Json::array();
   page["failed"] = failed_rows(record, results);
@@ -396,10 +373,8 @@ SweepReport write_sweep_report(const SweepRecord& record,
   write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
   const std::vector<SweepLimit> limits = sweep_limits(record, results);
   const SampleLoads loads = sample_loads(record, results);
-  const std::string tension = tension_sentence(results);
-  report.answer = sample_loads_text(loads);
-  if (report.answer.empty() && !tension.empty())
-    report.answer = tension + "\n";
+  const SampleMaps maps = sample_maps(record, results, loads);
+  report.answer = sample_loads_text(loads) + sample_maps_text(maps);
   if (!loads.loads.empty())
     write_file_atomically(out / "loads.csv", sample_loads_csv(loads));
   const std::vector<FigureGroup> figures{
@@ -419,8 +394,9 @@ SweepReport write_sweep_report(const SweepRecord& record,
   page["limit_heads"] = quantities_with_limits;
   page["limits"] = limit_rows(limits);
   set_banner(page, results,
-             loads.loads.empty() ? tension : sample_sentence(loads));
+             maps.sentence.empty() ? sample_sentence(loads) : maps.sentence);
   set_loads(page, loads);
+  set_maps(page, maps, out);
   write_page(sweep_template,
              page_of(std::move(page), record, results, groups, out), groups,
              out, extras.has_pdf, report.undrawn);

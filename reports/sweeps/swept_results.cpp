@@ -58,7 +58,9 @@ spectrum_point(const mechanics::SurfaceSpec& surface) {
 std::vector<SweptCurve> curves_of(const results::Result& result) {
   std::vector<SweptCurve> curves;
   for (const results::MethodRecord& method : result.methods) {
-    SweptCurve& curve = curves.emplace_back(SweptCurve{method.name, {}});
+    SweptCurve& curve = curves.emplace_back(SweptCurve{.method = method.name});
+    if (const auto* const surface = surface_of(result, method, 0))
+      curve.rms_height = surface->rms_height;
     if (method.realizations.size() == 1)
       for (const results::CurvePoint& row : method.realizations.front().points)
         if (row.status == results::StepStatus::converged)

@@ -27,6 +27,7 @@ struct SpectrumPoint {
 /// of which one is no sample of its point.
 struct SweptCurve {
   std::string method;
+  double rms_height = not_a_number; ///< of its surface [m]
   std::vector<results::CurvePoint> rows;
 };
 

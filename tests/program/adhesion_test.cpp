@@ -109,8 +109,8 @@ TEST_F(AdhesionTest, AMapWithFreeEdgesIsPulledUntilItParts) {
       << held.output;
 }
 
-// Several maps have gaps of their own as loads: the page leads with the
-// tension.
+// Several maps have gaps of their own as loads: the page leads with the tension
+// of each, and compares them at equal gaps over their rms heights.
 TEST_F(AdhesionTest, SeveralMapsStateTheirLargestTension) {
   std::filesystem::create_directory(folder / "maps");
   write("maps/a.txt", bump());
@@ -122,12 +122,31 @@ TEST_F(AdhesionTest, SeveralMapsStateTheirLargestTension) {
   EXPECT_NE(ended.output.find("The largest tension is at least 1"),
             std::string::npos)
       << ended.output;
-  EXPECT_NE(ended.output.find("over 2 maps, because some paths end in "
-                              "tension or never press the faces."),
-            std::string::npos)
+  EXPECT_NE(
+      ended.output.find("over 2 maps (mean and standard deviation), because "
+                        "some paths end in tension or never press the faces."),
+      std::string::npos)
       << ended.output;
   const std::string page = text_of(folder / "both/report.html");
   EXPECT_EQ(page.find("states no expectation"), std::string::npos);
+  EXPECT_NE(page.find("b.txt</a></td>"), std::string::npos);
+  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+
+  const std::string table = text_of(folder / "both/loads.csv");
+  auto mean = columns_of(table, "mean");
+  ASSERT_EQ(mean["mean_gap_over_rms_height [1]"].size(), 29U);
+  EXPECT_EQ(mean["mean_gap_over_rms_height [1]"][1], "3.5");
+  for (const char* column : {"nominal_pressure [Pa]", "mean_gap [m]"}) {
+    double sum = 0.0;
+    for (const std::string point : {"000", "001"}) {
+      auto rows = columns_of(
+          text_of(folder / "both/points" / point / "curves.csv"), "halfspace");
+      sum += std::stod(rows[column][14]); // at 0.1 h_rms
+    }
+    EXPECT_NE(sum, 0.0);
+    EXPECT_NEAR(std::stod(mean[column][14]), 0.5 * sum, 1e-8 * std::abs(sum))
+        << column;
+  }
 }
 
 // Without an open node there is no smallest stiffness, and the result can be
