@@ -136,6 +136,22 @@ std::vector<Deviation> deviations(std::span<const CurvePoint> points,
   return rows;
 }
 
+CurveDistance distance_from(std::span<const CurvePoint> points,
+                            const results::MethodRecord& reference) {
+  const CurveFunction function(reference.realizations.front().points,
+                               best_area(reference));
+  CurveDistance distance;
+  for (const CurvePoint& row : points) { // also those without a gap
+    const double pressure = row.nominal_pressure;
+    distance.gap = std::fmax(distance.gap,
+                             std::abs(row.mean_gap - function.gap(pressure)));
+    distance.area = std::fmax(
+        distance.area,
+        std::abs(row.area_fraction / function.area_fraction(pressure) - 1.0));
+  }
+  return distance;
+}
+
 double largest_gap_deviation(std::span<const Deviation> rows, double rms_height,
                              double low, double high) {
   double largest = not_a_number;

@@ -58,6 +58,17 @@ std::vector<Deviation> deviations(std::span<const results::CurvePoint> points,
                                   const CurveFunction& reference,
                                   AreaColumn area = &columns::area_fraction);
 
+/// How far a curve is from a method at the loads that both have; NaN without
+/// such loads, or without gaps or areas.
+struct CurveDistance {
+  double gap = not_a_number;  ///< largest |u - u_ref| [m]
+  double area = not_a_number; ///< largest |A/A_ref - 1| [1]
+};
+
+/// @param reference  with rows of its first realisation, by its best area
+CurveDistance distance_from(std::span<const results::CurvePoint> points,
+                            const results::MethodRecord& reference);
+
 /// Range of u/h_rms in which curves are compared with theory. Below it the
 /// contact is nearly complete; above it finite-size effects dominate.
 inline constexpr double comparison_gap_low = 0.3;

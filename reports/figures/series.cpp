@@ -186,21 +186,14 @@ void add_deviations(std::span<const ReportEntry> entries,
   const results::Result& result = *entries.front().result;
   const auto& record = *std::ranges::find(
       result.methods, reference->method->name, &MethodRecord::name);
-  const CurveFunction function(record.realizations.front().points,
-                               best_area(record));
   for (Series& series : all) {
     if (series.kind != measured_kind)
       continue;
-    const double height =
-        entries[series.entry].result->surfaces.front().rms_height;
-    double gap = not_a_number;
-    double area = not_a_number;
-    for (const SeriesRow& row : series.rows) {
-      const double pressure = row.pressure * result.contact_modulus;
-      gap = std::fmax(gap, std::abs(row.gap - function.gap(pressure) / height));
-      area = std::fmax(
-          area, std::abs(row.area / function.area_fraction(pressure) - 1.0));
-    }
+    const results::Result& mine = *entries[series.entry].result;
+    const CurveDistance distance =
+        distance_from(mine.methods.front().realizations.front().points, record);
+    const double gap = distance.gap / mine.surfaces.front().rms_height;
+    const double area = distance.area;
     if (std::isfinite(gap))
       series.legend += fmt::format(", |Δu| ≤ {:.2g} h_rms", gap);
     if (std::isfinite(area))

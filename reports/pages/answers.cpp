@@ -301,6 +301,43 @@ std::vector<std::string> answers_of(const ReportEntry& entry) {
   return answers;
 }
 
+std::vector<std::string> curve_answers(const ReportEntry& curve,
+                                       const ReportEntry& beside) {
+  std::vector<std::string> answers;
+  const MethodSummary& summary = curve.summary.methods.front();
+  const Estimate* const by_curve = summary.quantity("gamma_curve");
+  const Estimate* const by_slope = summary.quantity("gamma_matched");
+  if (by_curve != nullptr && by_slope != nullptr &&
+      (by_curve->has_value() || by_slope->has_value()))
+    answers.push_back(
+        fmt::format("On the surface of {}, γ of this curve is {} by the whole "
+                    "curve and {} by its slope.",
+                    beside.summary.case_name, number_text(*by_curve),
+                    number_text(*by_slope)));
+  const results::Curve& mine =
+      curve.result->methods.front().realizations.front();
+  const double height = curve.result->surfaces.front().rms_height;
+  std::string words;
+  for (const results::MethodRecord& method : beside.result->methods) {
+    if (method.realizations.empty())
+      continue;
+    const CurveDistance distance = distance_from(mine.points, method);
+    std::string far;
+    if (std::isfinite(distance.gap))
+      far = fmt::format("{} h_rms of the mean gap",
+                        digits_text(distance.gap / height, 2));
+    if (std::isfinite(distance.area))
+      far += (far.empty() ? "" : " and ") +
+             quantity_text(distance.area, "%", 2) + " of the area";
+    if (!far.empty())
+      words += (words.empty() ? "Its largest distance from " : "; from ") +
+               method.name + " is " + far;
+  }
+  if (!words.empty())
+    answers.push_back(words + ".");
+  return answers;
+}
+
 std::vector<IntervalPart> interval_parts(const ReportEntry& entry) {
   const results::MethodRecord* const method = main_method(*entry.result);
   if (method == nullptr || !has_surface(entry))

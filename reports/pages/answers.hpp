@@ -17,6 +17,12 @@ namespace asperity::reports {
 /// each study, in this order; empty if nothing was computed.
 std::vector<std::string> answers_of(const ReportEntry& entry);
 
+/// What a curve of the user's own says beside a result: its gamma on the surface
+/// of that, by the whole curve and by the slope, with the intervals of the fits,
+/// and how far it is from each method of the result.
+std::vector<std::string> curve_answers(const ReportEntry& curve,
+                                       const ReportEntry& beside);
+
 /// The sources of error of area and mean gap; empty if nothing was computed.
 std::vector<IntervalPart> interval_parts(const ReportEntry& entry);
 

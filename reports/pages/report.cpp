@@ -4,6 +4,7 @@
 #include "base/json.hpp"
 #include "input/input_error.hpp"
 #include "input/reader/read_case.hpp"
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
@@ -111,6 +112,10 @@ std::vector<std::string> write_report(std::span<const results::Result> results,
   for (std::size_t i = 0; i < results.size(); ++i)
     entries.push_back(entry_of(results[i], contact_cases[i]));
   name_entries(entries, extras.labels);
+  for (ReportEntry& entry : entries)
+    if (!entry.result->methods.empty() &&
+        entry.result->methods.front().kind == measured_kind)
+      entry.summary.answers = curve_answers(entry, entries.front());
   return write_report(entries, folder, gnuplot, extras);
 }
 

@@ -6,6 +6,7 @@
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/summary.hpp"
 #include "reports/analysis/surface_theory.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/answers.hpp"
 #include "reports/pages/entry_names.hpp"
@@ -247,6 +248,22 @@ TEST_F(MeasuredCurve, HasTheGammaOfTheSpectrumBesideIt) {
     EXPECT_LT(std::abs(noisy.at(name).value - 0.45), noisy.at(name).half_width)
         << name;
   }
+  const results::Result mine = read(text_of(folder / "mine.csv"));
+  const cases::Case without = case_of(mine);
+  const std::vector<std::string> answers =
+      curve_answers(entry_of(mine, without), entry_of(result, rough));
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(
+      answers[0].rfind("On the surface of polymer, γ of this curve is ", 0), 0U)
+      << answers[0];
+  EXPECT_NE(answers[0].find(number_text(noisy.at("gamma_curve")) +
+                            " by the whole curve"),
+            std::string::npos)
+      << answers[0];
+  for (const results::MethodRecord& method : result.methods)
+    EXPECT_NE(answers[1].find("from " + method.name + " is "),
+              std::string::npos)
+        << answers[1];
   result.surfaces.front().heights.clear();
   EXPECT_EQ(quantities(0.0).at("gamma_curve").remark,
             "the heights are not in the result");
