@@ -28,8 +28,10 @@ ShownUnit suited_unit(double value, const std::string& unit) {
     for (const auto& [prefix, name] : prefixes) {
       const double size = is_area ? prefix * prefix : prefix;
       const bool is_usual = !is_area || prefix <= 1.0;
+      // 0.61 µm² is no 610 000 nm².
+      const double least = is_area && prefix == 1e-6 ? 0.01 : 0.9995;
       if (is_usual && value != 0.0 &&
-          (std::abs(value) >= 0.9995 * size || prefix == 1e-9))
+          (std::abs(value) >= least * size || prefix == 1e-9))
         return {size, fmt::format(" {}{}", name, is_area ? "m²" : unit)};
     }
   if (unit == "%")

@@ -11,6 +11,8 @@ namespace {
 TEST(ShownNumber, QuantitiesHavePrefixesAndNoExponents) {
   EXPECT_EQ(quantity_text(3.33e-6, "m", 3), "3.33 µm");
   EXPECT_EQ(quantity_text(12.1e-9, "m^2", 3), "12 100 µm²");
+  EXPECT_EQ(quantity_text(0.61e-12, "m^2"), "0.61 µm²");
+  EXPECT_EQ(quantity_text(4.2e-15, "m^2"), "4200 nm²");
   EXPECT_EQ(quantity_text(2e9, "Pa"), "2 GPa");
   EXPECT_EQ(quantity_text(999.96e3, "Pa", 3), "1 MPa");
   EXPECT_EQ(quantity_text(700e3, "Pa", 3), "700 kPa");
