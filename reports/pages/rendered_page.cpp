@@ -57,6 +57,8 @@ std::string formatted(double value, const std::string& format) {
   if (sign.empty() && digits.ends_with('g'))
     return digits_text(value * scale, std::stoi(digits)) +
            (unit.empty() ? "" : " " + unit);
+  if (value == 0.0 && digits.ends_with('e'))
+    return "0";
   return fmt::format(fmt::runtime(fmt::format("{{:{}.{}}}", sign,
                                               digits.substr(sign.size()))),
                      Shown{value * scale}) +

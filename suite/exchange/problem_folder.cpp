@@ -186,7 +186,11 @@ void write_problem(const Problem& problem,
           fmt::arg("means", problem.is_periodic() ? ", mean(w) = 0" : ""),
           fmt::arg("points_x", grid.points_x),
           fmt::arg("points_y", grid.points_y),
-          fmt::arg("loads", problem.loads.size()),
+          fmt::arg("loads", problem.loads.size() == 1
+                                ? "one nominal pressure"
+                                : fmt::format("each of the {} nominal "
+                                              "pressures",
+                                              problem.loads.size())),
           fmt::arg("first_load", problem.loads.front()),
           fmt::arg("mesh", mesh == nullptr ? "" : mesh_readme(*mesh, problem)),
           fmt::arg("body", stated_body(problem).text)));

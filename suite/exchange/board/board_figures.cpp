@@ -1,5 +1,6 @@
 #include "suite/exchange/board/board_figures.hpp"
 
+#include "base/shown_number.hpp"
 #include "reports/figures/map_image.hpp"
 #include "reports/figures/plot_parts.hpp"
 
@@ -37,17 +38,18 @@ reports::Figure surface_figure(const Problem& problem) {
   figure.name = "surface-" + reports::file_word(problem.name);
   figure.title = "Heights over h_rms";
   figure.caption = fmt::format(
-      "{} by {} nodes, {:.4g} by {:.4g} um; h_rms {:.4g} nm, rms slope {:.3g}."
-      " Positive towards the body.{}",
-      grid.points_x, grid.points_y, 1e6 * grid.length_x, 1e6 * grid.length_y,
-      1e9 * problem.rms_height, problem.rms_slope,
+      "{} × {} nodes over {} × {}; h_rms = {}, rms slope {}. Positive towards "
+      "the body.{}",
+      grid.points_x, grid.points_y, quantity_text(grid.length_x, "m"),
+      quantity_text(grid.length_y, "m"), quantity_text(problem.rms_height, "m"),
+      digits_text(problem.rms_slope, 3),
       image.columns < grid.points_x ? " Means over blocks of nodes." : "");
   figure.data = "h_rms [m]\n" + fmt::format("{}\n", problem.rms_height);
   figure.maps.emplace_back("heights", reports::map_csv(image));
   reports::ChartPanel& panel = figure.panels.emplace_back(
       reports::map_panel(image, "heights", "height"));
-  panel.x.label = "x [um]";
-  panel.y.label = "y [um]";
+  panel.x.label = "x [µm]";
+  panel.y.label = "y [µm]";
   return figure;
 }
 

@@ -260,10 +260,11 @@ std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
   Json page = {
       {"title", problem.problem.title},
       {"lead",
-       fmt::format("{}: {} by {} nodes, {} load(s), {}; frictionless, "
+       fmt::format("{}: {} × {} nodes, {} load{}, {}; frictionless, "
                    "non-adhesive, hard contact {}.",
                    problem.problem.name, problem.problem.grid.points_x,
                    problem.problem.grid.points_y, problem.problem.loads.size(),
+                   problem.problem.loads.size() == 1 ? "" : "s",
                    body_words(problem.problem.body),
                    problem.problem.is_periodic() ? "on a periodic cell"
                                                  : "with free boundaries")},
