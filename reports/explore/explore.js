@@ -255,7 +255,9 @@
       this.canvas = element('canvas', {tabIndex: 0});
       this.canvas.setAttribute('role', 'img');
       this.canvas.setAttribute('aria-label', `${panel.y.label} against ${panel.x.label}: arrow keys show the values of a curve, space hides it, plus and minus zoom, 0 resets`);
-      place.append(element('div', {className: 'canvas'}, this.canvas));
+      // A legend of two rows leaves too little height for the label of y.
+      const isTall = panel.curves.filter(curve => curve.label).length > 3;
+      place.append(element('div', {className: isTall ? 'canvas tall' : 'canvas'}, this.canvas));
       this.chart = new Chart(this.canvas, this.configuration());
       this.showPoints();
       this.canvas.addEventListener('keydown', event => this.press(event));

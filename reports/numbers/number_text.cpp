@@ -32,6 +32,8 @@ std::string number_text(const Estimate& estimate) {
   if (!estimate.has_interval())
     return fmt::format("{:.4g}", Shown{estimate.value});
   const double size = std::abs(estimate.value);
+  if (estimate.half_width < 1e-9 * size) // roundoff
+    return fmt::format("{:.4g}", estimate.value);
   if (estimate.half_width < 1e-4 * size) // too small to be worth printing
     return fmt::format("{:.4g} ± {:.0e}", estimate.value, estimate.half_width);
   if (size < 1e-3 || size >= 1e5)

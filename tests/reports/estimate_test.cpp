@@ -119,4 +119,14 @@ TEST(PercentText, HasOneDecimalAtMost) {
   EXPECT_EQ(percent_text(estimate), "-12 ± 23 %");
 }
 
+TEST(NumberText, HasNoIntervalOfRoundoff) {
+  Estimate estimate;
+  estimate.value = 0.32391;
+  estimate.half_width = 0.0213;
+  EXPECT_EQ(number_text(estimate), "0.324 ± 0.021");
+
+  estimate.half_width = 6e-16;
+  EXPECT_EQ(number_text(estimate), "0.3239");
+}
+
 } // namespace asperity::reports::estimate_test
