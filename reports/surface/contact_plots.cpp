@@ -51,6 +51,8 @@ Figure cut_off_figure(const PredictedContact& contact) {
 } // namespace
 
 std::vector<Figure> contact_figures(const PredictedContact& contact) {
+  const double modulus = contact.contact_modulus;
+  const std::string slope = digits_text(contact.rms_slope, 3);
   Figure separation;
   separation.name = "predicted-separation";
   separation.title = "Predicted separation";
@@ -63,21 +65,17 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
   separation.data = table.text();
   separation.caption = fmt::format(
       "Nominal pressure against mean separation by Persson's theory with E* = "
-      "{} and γ = {:g}, for roughness of wavelengths {} (rms height "
-      "{}, rms slope {}). At low pressure p = β E* exp(−u/u₀) with u₀ = {} "
-      "and β = {}.",
-      quantity_text(contact.contact_modulus, "Pa"), contact.gamma,
+      "{} and γ = {:g}, for roughness of wavelengths {} (rms height {}, rms "
+      "slope {}). At low pressure p = β E* exp(−u/u₀) with u₀ = {}, β = {}.",
+      quantity_text(modulus, "Pa"), contact.gamma,
       wavelengths_text(contact.wavevector_low, contact.wavevector_high),
-      quantity_text(contact.rms_height, "m"), digits_text(contact.rms_slope, 3),
+      quantity_text(contact.rms_height, "m"), slope,
       quantity_text(contact.decay_length, "m"),
       digits_text(contact.pressure_prefactor, 3));
-  const double modulus = contact.contact_modulus;
-  double largest = 0.0;
-  for (const PredictedLoad& load : contact.loads)
-    largest = std::max(largest, load.nominal_pressure);
+  const double heaviest = contact.loads.back().nominal_pressure;
   ChartAxis pressure =
       pressure_axis("nominal pressure p / E*", "nominal pressure p", modulus,
-                    largest / modulus);
+                    heaviest / modulus);
   pressure.is_log = pressure.has_powers = true;
   const CurveStyle style = line("#222222", 1.8);
   ChartCurve drawn = curve("", style, 0, 3, 4);
@@ -98,7 +96,7 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
   area.caption = fmt::format(
       "Contact area against nominal pressure by the same theory, A/A₀ = erf(√2 "
       "p/(E* h')) with the rms slope h' = {}; the data hold 31 loads.",
-      digits_text(contact.rms_slope, 3));
+      slope);
   drawn = curve("", style, 0, 4, 5);
   drawn.x_factor = 1.0 / modulus;
   area.panels = {{.x = pressure,
