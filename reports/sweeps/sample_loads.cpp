@@ -1,5 +1,6 @@
 #include "reports/sweeps/sample_loads.hpp"
 
+#include "base/special_numbers.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/numbers/number_text.hpp"
 #include "reports/sweeps/sweep_scatter.hpp"
@@ -9,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <map>
 
 namespace asperity::reports {
 namespace {
@@ -45,23 +48,43 @@ double state_of(const SweptCurve& curve, const CurvePoint& row, bool is_gap) {
   return is_gap ? row.mean_gap / curve.rms_height : row.nominal_pressure;
 }
 
-bool are_same_loads(const SweptCurve& one, const SweptCurve& other,
-                    bool is_gap) {
+/// The rows of each step, one for each curve; null: its step has not converged.
+using RowsOfSteps = std::map<int, std::vector<const CurvePoint*>>;
+
+RowsOfSteps rows_of_steps(const std::vector<const SweptCurve*>& curves) {
+  RowsOfSteps rows;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    for (const CurvePoint& row : curves[i]->rows)
+      rows.try_emplace(row.step, curves.size()).first->second[i] = &row;
+  return rows;
+}
+
+/// The first curve that has a row in a step.
+std::size_t first_of(const std::vector<const CurvePoint*>& rows) {
+  return static_cast<std::size_t>(std::ranges::find_if(rows, std::identity()) -
+                                  rows.begin());
+}
+
+bool are_same_loads(const std::vector<const SweptCurve*>& curves,
+                    const std::vector<const CurvePoint*>& rows, bool is_gap) {
   constexpr double tolerance = 1e-3; // of a load that a solver has reached
-  return std::ranges::equal(
-      one.rows, other.rows, [&](const CurvePoint& a, const CurvePoint& b) {
-        const double state = state_of(one, a, is_gap);
-        return std::abs(state - state_of(other, b, is_gap)) <=
-                   tolerance * std::abs(state) &&
-               a.is_unloading == b.is_unloading;
-      });
+  const std::size_t first = first_of(rows);
+  const double state = state_of(*curves[first], *rows[first], is_gap);
+  for (std::size_t i = first; i < rows.size(); ++i)
+    if (rows[i] != nullptr &&
+        !(std::abs(state_of(*curves[i], *rows[i], is_gap) - state) <=
+              tolerance * std::abs(state) &&
+          rows[i]->is_unloading == rows[first]->is_unloading))
+      return false;
+  return true;
 }
 
 /// What the curves share; without a name if they share nothing.
-SampleColumn shared_state(const std::vector<const SweptCurve*>& curves) {
+SampleColumn shared_state(const std::vector<const SweptCurve*>& curves,
+                          const RowsOfSteps& steps) {
   for (const bool is_gap : {false, true})
-    if (std::ranges::all_of(curves, [&](const SweptCurve* curve) {
-          return are_same_loads(*curves.front(), *curve, is_gap);
+    if (std::ranges::all_of(steps, [&](const auto& step) {
+          return are_same_loads(curves, step.second, is_gap);
         }))
       return is_gap ? SampleColumn{"mean_gap_over_rms_height", "1"}
                     : SampleColumn{"nominal_pressure", "Pa"};
@@ -97,6 +120,26 @@ studied_columns(const std::vector<const SweptCurve*>& curves) {
         }))
       found.push_back(&column);
   return found;
+}
+
+/// Adds the numbers of a sample at a load.
+/// @param row  null: it has none
+void add_row(const SampleLoads& table,
+             const std::vector<const results::CurveColumn*>& studied,
+             const CurvePoint* row, SampleLoad& load) {
+  if (row == nullptr) {
+    for (SampleValues& column : load.columns)
+      column.values.push_back(not_a_number);
+    return;
+  }
+  load.columns[0].values.push_back(std::isfinite(row->area_fraction_corrected)
+                                       ? row->area_fraction_corrected
+                                       : row->area_fraction);
+  load.columns[1].values.push_back(row->mean_gap);
+  if (table.is_by_gap())
+    load.columns[2].values.push_back(row->nominal_pressure);
+  for (std::size_t i = 0; i < studied.size(); ++i)
+    load.columns[table.n_common() + i].values.push_back((*row)[*studied[i]]);
 }
 
 std::string named_outliers(const SampleLoads& table,
@@ -263,8 +306,9 @@ SampleLoads sample_loads(const SweepRecord& record,
       curves.push_back(curve);
       table.samples.push_back(sample_name(record, result->point));
     }
+  const RowsOfSteps steps = rows_of_steps(curves);
   if (!curves.empty())
-    table.state = shared_state(curves);
+    table.state = shared_state(curves, steps);
   if (table.state.name.empty())
     return table;
   const std::vector<const results::CurveColumn*> studied =
@@ -275,24 +319,14 @@ SampleLoads sample_loads(const SweepRecord& record,
   for (const results::CurveColumn* column : studied)
     table.columns.push_back(
         {std::string(column->name), std::string(column->unit)});
-  for (std::size_t step = 0; step < curves[0]->rows.size(); ++step) {
-    const CurvePoint& of_first = curves[0]->rows[step];
-    SampleLoad load{state_of(*curves[0], of_first, table.is_by_gap()),
-                    of_first.is_unloading,
+  for (const auto& [step, rows] : steps) {
+    const std::size_t first = first_of(rows);
+    SampleLoad load{state_of(*curves[first], *rows[first], table.is_by_gap()),
+                    rows[first]->is_unloading,
                     {}};
     load.columns.resize(table.columns.size());
-    for (const SweptCurve* curve : curves) {
-      const CurvePoint& row = curve->rows[step];
-      load.columns[0].values.push_back(
-          std::isfinite(row.area_fraction_corrected)
-              ? row.area_fraction_corrected
-              : row.area_fraction);
-      load.columns[1].values.push_back(row.mean_gap);
-      if (table.is_by_gap())
-        load.columns[2].values.push_back(row.nominal_pressure);
-      for (std::size_t i = 0; i < studied.size(); ++i)
-        load.columns[table.n_common() + i].values.push_back(row[*studied[i]]);
-    }
+    for (const CurvePoint* row : rows)
+      add_row(table, studied, row, load);
     for (SampleValues& column : load.columns)
       evaluate(column);
     if (load.columns[0].spread.mean > complete_contact)

@@ -13,8 +13,8 @@ namespace asperity::reports {
 struct SampleMap {
   std::string name;
   std::size_t point = 0;
-  bool is_statistic = false;      ///< "mean" or "standard deviation"
-  std::vector<std::string> cells; ///< numbers with their units
+  bool is_statistic = false;           ///< "mean" or "standard deviation"
+  std::vector<std::string> cells = {}; ///< numbers with their units
 };
 
 struct SampleMaps {

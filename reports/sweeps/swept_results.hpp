@@ -28,7 +28,7 @@ struct SpectrumPoint {
 struct SweptCurve {
   std::string method;
   double rms_height = not_a_number; ///< of its surface [m]
-  std::vector<results::CurvePoint> rows;
+  std::vector<results::CurvePoint> rows = {};
 };
 
 /// What the report needs of one point. A point that has no result has a
