@@ -9,6 +9,7 @@ The tolerance is the complementarity error, relative to h_rms and to the load.
 """
 import argparse
 import functools
+import itertools
 import json
 import re
 import subprocess
@@ -36,6 +37,9 @@ def options(problem, tolerance):
     body = json.loads((problem.folder / "problem.json").read_text(encoding="utf-8"))["body"]
     material = {name: value for name, value in body.items() if value not in (None, [])}
     method = {"contact": "hard", "tolerance": tolerance}
+    if problem.adhesion:
+        method |= {"contact": "exponential", "work_of_adhesion": problem.adhesion[0],
+                   "range": problem.adhesion[1]}
     method |= {} if problem.is_periodic else {"boundaries": "free"}
     if ELEMENT:  # meshed as the case says
         case = tomllib.loads((problem.folder / "case.toml").read_text(encoding="utf-8"))
@@ -46,7 +50,9 @@ def options(problem, tolerance):
         method["depth" if ELEMENT else "thickness"] = material.pop("thickness [m]")
         method["top"] = material.pop("far_boundary")
     tables = {"material": {"poisson_ratio [1]": 0.3} | material, KIND: method,
-              "load": {"nominal_pressure": problem.loads}, "report": {"fields": "all"}}
+              "report": {"fields": "all"}}
+    if not problem.adhesion:  # whose path is that of the case
+        tables["load"] = {"nominal_pressure": problem.loads}
     # From JSON to TOML: "thickness [m]": 1.0 becomes thickness = 1.0.
     texts = {name: re.sub(r'"(\w+)( \[[^]]*\])?": ', r"\1 = ", json.dumps(table))
              for name, table in tables.items()}
@@ -70,13 +76,18 @@ def prepare(problem):
                 curve = {name: column[:].tolist() for name, column in answer["curve"].items()}
                 return curve, [answer[f"fields/{step}/pressure"][:] for step in curve["step"]]
 
-    def solve(nominal_pressure, tolerance):
+    steps = itertools.count()
+
+    def solve(load, tolerance):
         curve, fields = answers(tolerance)
-        step = problem.loads.index(nominal_pressure)
+        step = next(steps)
+        claims = {name: curve[name][step] for name in ("iterations", "cpu_time")}
+        if problem.adhesion:
+            claims["energy"] = curve["elastic_energy"][step] + curve["adhesive_energy"][step]
+            return fields[step], curve["status"][step] == 0, claims
         # Nodes of Q2 elements have unequal weights, but those of a submission have equal ones.
-        pressure = fields[step] * np.float32(nominal_pressure / fields[step].mean(dtype=float))
-        claims = {name: curve[name][step] for name in ("mean_gap", "iterations", "cpu_time")}
-        return pressure, curve["status"][step] == 0, claims
+        pressure = fields[step] * np.float32(load / fields[step].mean(dtype=float))
+        return pressure, curve["status"][step] == 0, claims | {"mean_gap": curve["mean_gap"][step]}
 
     version = subprocess.check_output([GIVEN.program, "--version"], text=True)
     return f"{version.strip()}-{GIVEN.method}", solve
@@ -84,5 +95,5 @@ def prepare(problem):
 
 if __name__ == "__main__":
     submission.run(prepare, "Asperity", METHODS[GIVEN.method], {"default": 1e-8, "best": 1e-12},
-                   any_body=True, free=not ELEMENT, parents=[OPTIONS],
+                   any_body=True, free=not ELEMENT, adhesive=False if ELEMENT else None, parents=[OPTIONS],
                    claimed_error=0.01 if ELEMENT else 0.001)

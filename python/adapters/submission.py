@@ -1,9 +1,9 @@
 """What the adapters share: reads a problem folder, writes a submission folder.
 
-A code provides prepare(problem), which returns its version and solve(nominal_pressure,
-tolerance). This returns the pressure [Pa], shaped as the heights, whether it converged, and any
-of mean_gap [m], contact_area_fraction [1], elastic_energy [J/m^2], iterations, cpu_time [s],
-peak_memory [bytes], or raises NoAnswer.
+A code provides prepare(problem), which returns its version and solve(load, tolerance). This
+returns the pressure [Pa], shaped as the heights, whether it converged, and any of mean_gap [m],
+contact_area_fraction [1], elastic_energy [J/m^2], with adhesion only energy [J/m^2], iterations,
+cpu_time [s], peak_memory [bytes], or raises NoAnswer. The loads are solved in their order.
 """
 import argparse
 import dataclasses
@@ -26,13 +26,14 @@ class Problem:
     length_x: float         # [m]
     length_y: float         # [m]
     contact_modulus: float  # E* = E / (1 - nu^2) [Pa]
-    loads: list             # nominal pressures [Pa]
+    loads: list             # nominal pressures [Pa]; with adhesion the path of mean gaps [m]
     is_periodic: bool       # else free boundaries
     folder: pathlib.Path    # that of the problem
+    adhesion: tuple = None  # gamma [J/m^2] and rho [m] of the energy -gamma exp(-g/rho)
     element: str = None     # "Q1" or "Q2": set by `prepare` of a code that uses the mesh
 
 
-def read_problem(folder, any_body, free):
+def read_problem(folder, any_body, free, adhesive=False):
     """The problem in `folder`; a body that the code does not take is a ValueError."""
     text = json.loads((folder / "problem.json").read_text(encoding="utf-8"))
     if (text.get("format"), text.get("format_version")) != ("asperity-problem", 1):
@@ -42,10 +43,17 @@ def read_problem(folder, any_body, free):
     if not (is_half_space or any_body) or not (grid["is_periodic"] or free):
         raise ValueError("the body is layered, of finite thickness or not periodic, but this code "
                          f"solves the homogeneous {'' if free else 'periodic '}half-space only")
+    law = text.get("adhesion")
+    if (law is None) == adhesive:  # None: the code solves both
+        raise ValueError("the faces do not attract each other, but this code solves adhesion only"
+                         if adhesive else
+                         "the faces attract each other, which this code does not solve")
     return Problem(text["name"], np.load(folder / "heights.npy"), grid["length_x [m]"],
                    grid["length_y [m]"], body["contact_modulus [Pa]"],
-                   [load["nominal_pressure [Pa]"] for load in text["loads"]],
-                   grid["is_periodic"], folder)
+                   [load["mean_gap [m]" if law else "nominal_pressure [Pa]"]
+                    for load in text["loads"]],
+                   grid["is_periodic"], folder,
+                   law and (law["work_of_adhesion [J/m^2]"], law["range [m]"]))
 
 
 def toml(**entries):
@@ -54,7 +62,8 @@ def toml(**entries):
                    for key, value in entries.items())
 
 
-def run(prepare, code, method, tolerances, any_body=False, free=False, parents=(), **head):
+def run(prepare, code, method, tolerances, any_body=False, free=False, adhesive=False, parents=(),
+        **head):
     """Solves every load. Exit codes: 0 solved, 2 invalid problem, 3 a load did not converge."""
     parser = argparse.ArgumentParser(description=f"Solve a problem by {code}.", parents=parents)
     parser.add_argument("problem", metavar="PROBLEM_DIR", type=pathlib.Path)
@@ -64,7 +73,7 @@ def run(prepare, code, method, tolerances, any_body=False, free=False, parents=(
     parser.add_argument("--author", action="append", help="may be repeated")
     given = parser.parse_args()
     try:
-        problem = read_problem(given.problem, any_body, free)
+        problem = read_problem(given.problem, any_body, free, adhesive)
         version, solve = prepare(problem)
     except (ValueError, OSError) as mistake:
         print(f"{code}: {given.problem}: {mistake}", file=sys.stderr)
@@ -75,15 +84,16 @@ def run(prepare, code, method, tolerances, any_body=False, free=False, parents=(
                 **({"element": problem.element} if problem.element else {}))
     given.submission.mkdir(parents=True, exist_ok=True)
     exit_code = 0
-    for number, nominal_pressure in enumerate(problem.loads, start=1):
+    for number, load in enumerate(problem.loads, start=1):
         start, name = time.process_time(), f"pressure-{number}.npy"
         try:
-            pressure, converged, claims = solve(nominal_pressure, tolerance)
+            pressure, converged, claims = solve(load, tolerance)
         except NoAnswer as reason:
             print(f"{code}: load {number}: {reason}", file=sys.stderr)
             exit_code = 3
             continue
-        text += "\n[[load]]\n" + toml(nominal_pressure=nominal_pressure, pressure=name,
+        which = {"step": number - 1} if problem.adhesion else {"nominal_pressure": load}
+        text += "\n[[load]]\n" + toml(**which, pressure=name,
                                       **{"cpu_time": time.process_time() - start} | claims)
         np.save(given.submission / name, np.ascontiguousarray(pressure))
         if not converged:

@@ -44,6 +44,20 @@ struct ProblemCommand {
   bool has_mesh = false; ///< whether the block is handed out as cells, too
 };
 
+void print_path(const exchange::AnsweredProblem& answered) {
+  const exchange::Problem& problem = answered.problem;
+  fmt::print("method {}, {} by {} points\n{:>4} {:>12} {:>12} {:>10} {:>12}\n",
+             answered.method, problem.grid.points_x, problem.grid.points_y,
+             "step", "u/h_rms", "p_0 [Pa]", "area", "U/w");
+  for (std::size_t i = 0; i < answered.answers.size(); ++i) {
+    const exchange::ProblemAnswer& answer = answered.answers[i];
+    fmt::print("{:>4} {:>12.6f} {:>+12.5g} {:>10.6f} {:>+12.8f}\n", i,
+               answer.mean_gap / problem.rms_height,
+               Shown{answer.nominal_pressure}, answer.area_fraction,
+               Shown{answer.energy / problem.adhesion->work_of_adhesion});
+  }
+}
+
 void print_answers(const exchange::AnsweredProblem& answered) {
   const double height = answered.problem.rms_height;
   fmt::print("method {}, {} by {} points\n{:>12} {:>12} {:>9} {:>10} {:>12} "
@@ -104,7 +118,7 @@ run::ExitCode write_problem_of(const ProblemCommand& command) {
   exchange::write_certified_problem(*answered,
                                     is_complete ? read.contact_case.text : "",
                                     folder, mesh ? &*mesh : nullptr);
-  print_answers(*answered);
+  (answered->problem.adhesion ? print_path : print_answers)(*answered);
   if (mesh)
     fmt::print("mesh: {} by {} by {} cells for {}, {} nodes\n", mesh->cells_x,
                mesh->cells_y, mesh->layers.size(),
@@ -158,7 +172,8 @@ std::string description_of(const Submission& submission) {
 /// What a result without its case does not say of the body; empty for the
 /// periodic half-space, which E* determines.
 std::string other_body(const Problem& problem) {
-  return !problem.is_periodic()         ? "free boundaries"
+  return problem.adhesion               ? exchange::attracting_faces
+         : !problem.is_periodic()       ? "free boundaries"
          : !problem.body.is_halfspace() ? "layers or a finite thickness"
                                         : "";
 }
@@ -206,16 +221,20 @@ void write_import(const fs::path& folder, const results::CaseInfo& info,
 void print_answer(const Problem& problem,
                   const exchange::ImportedAnswer& answer) {
   const Submission& submission = answer.submission;
+  const std::size_t width = answer.method.size();
   fmt::print("{}: {} {} ({})\n", problem.name, submission.code,
              submission.version, submission.accuracy);
   if (answer.loads.empty())
     fmt::print("as submitted: a curve without pressure fields has no "
                "certificate and is not ranked\n");
   else
-    fmt::print("{}", exchange::certificate_head(answer.method.size()));
+    fmt::print("{}", (problem.adhesion ? exchange::adhesive_head
+                                       : exchange::certificate_head)(width));
   for (const exchange::ImportedLoad& load : answer.loads) {
     fmt::print("{}{}",
-               exchange::certificate_line(load.field, answer.method.size()),
+               load.adhesive ? exchange::adhesive_line(*load.adhesive, problem,
+                                                       load.field, width)
+                             : exchange::certificate_line(load.field, width),
                exchange::broken_claims(load.field));
     for (const std::string& mistake : load.mistakes)
       fmt::print("  {}: {}\n", load.file, mistake);

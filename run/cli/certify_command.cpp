@@ -137,14 +137,18 @@ private:
   std::optional<Model> model_of(const results::MethodRecord& record,
                                 const methods::SurfaceOfCase& surface) {
     const cases::MethodSpec* const known = method_of(record);
+    for (const auto& [name, body] : result_.provenance)
+      if (name == exchange::imported_body &&
+          (known == nullptr || body == exchange::attracting_faces)) {
+        as_submitted(record,
+                     body == exchange::attracting_faces
+                         ? "no bound exists for faces that attract each other"
+                         : fmt::format("its body has {}, of which the file has "
+                                       "no case; import certifies it",
+                                       body));
+        return std::nullopt;
+      }
     if (known == nullptr) {
-      for (const auto& [name, body] : result_.provenance)
-        if (name == exchange::imported_body) {
-          as_submitted(record, fmt::format("its body has {}, of which the file "
-                                           "has no case; import certifies it",
-                                           body));
-          return std::nullopt;
-        }
       notes_.push_back(fmt::format(
           "{:<16} against the half-space of E* in hard contact", record.name));
       return Model{contact::halfspace_operator(

@@ -46,8 +46,18 @@ Json body_json(const mechanics::ElasticBlock& body) {
   return json;
 }
 
-Json conventions(bool is_periodic) {
-  return {
+constexpr const char* hard_contact = "frictionless, non-adhesive, hard";
+constexpr const char* adhesive_contact =
+    "frictionless, hard wall, exponential attraction";
+
+/// The name of a load in problem.json.
+const char* load_name(const Problem& problem) {
+  return problem.adhesion ? "mean_gap [m]" : "nominal_pressure [Pa]";
+}
+
+Json conventions(const Problem& problem) {
+  const bool is_periodic = problem.is_periodic();
+  Json json = {
       {"units", "SI; the unit of a number is in the brackets of its name"},
       {"axes", std::string("row i of a field is y = i length_y/points_y, "
                            "column j is x = j length_x/points_x; ") +
@@ -56,16 +66,31 @@ Json conventions(bool is_periodic) {
                                   "half a cell outside the outermost nodes")},
       {"heights", "positive towards the elastic block: the largest value "
                   "touches first; their mean is 0"},
-      {"pressure", "p >= 0 in compression, a pressure and not a force, one "
-                   "value per node"},
+      {"pressure",
+       std::string(problem.adhesion ? "positive in compression, negative in "
+                                      "tension, "
+                                    : "p >= 0 in compression, ") +
+           "a pressure and not a force, one value per node"},
       {"mean_gap",
        is_periodic
            ? "u in g = u + C p - h, where C p has mean 0: the mean of "
              "the gap over all nodes, contact included"
            : "the mean of g = d + C p - h over all nodes, contact included, "
              "where C p vanishes at infinity: d plus the mean of C p"},
-      {"contact_area_fraction", "share of the nodes with p > 0"},
+      {"contact_area_fraction", problem.adhesion
+                                    ? "share of the nodes with g = 0"
+                                    : "share of the nodes with p > 0"},
       {"elastic_energy", "mean of p C p, divided by 2"}};
+  if (problem.adhesion)
+    json["energy"] = "the elastic energy of the gap, mean(w K w)/2 with w = g "
+                     "+ h - mean(g + h) and K = 1/C, plus the mean of W(g)";
+  return json;
+}
+
+Json adhesion_json(const mechanics::ContactInterface& law) {
+  return {{"energy_per_area", "W(g) = -gamma exp(-g/rho), g >= 0"},
+          {"work_of_adhesion [J/m^2]", law.work_of_adhesion},
+          {"range [m]", law.adhesion_range}};
 }
 
 /// The members of problem.json, whose messages name the file and the member.
@@ -176,6 +201,25 @@ mechanics::ElasticBlock read_body(const ProblemMembers& members) {
   return body;
 }
 
+/// The contact of a problem with adhesion; none: it is hard.
+std::optional<mechanics::ContactInterface>
+read_contact(const ProblemMembers& members, bool is_periodic) {
+  const std::string words = members.text("/contact");
+  if (words == hard_contact)
+    return std::nullopt;
+  if (words != adhesive_contact || !is_periodic)
+    members.refuse(
+        "/contact",
+        is_periodic
+            ? fmt::format("\"{}\" or \"{}\"", hard_contact, adhesive_contact)
+            : fmt::format("\"{}\" without periodic boundaries", hard_contact));
+  mechanics::ContactInterface law{mechanics::ContactLaw::exponential};
+  law.work_of_adhesion =
+      members.number("/adhesion/work_of_adhesion [J~1m^2]", 0.0);
+  law.adhesion_range = members.number("/adhesion/range [m]", 0.0);
+  return law;
+}
+
 Json parsed(const std::filesystem::path& path) {
   const std::string text =
       input::read_input_file(path, input::largest_text_file);
@@ -249,7 +293,7 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
     files[file] = hash;
   Json loads = Json::array();
   for (const double load : problem.loads)
-    loads.push_back({{"nominal_pressure [Pa]", load}});
+    loads.push_back({{load_name(problem), load}});
   const Grid& grid = problem.grid;
   Json json = {{"format", "asperity-problem"},
                {"format_version", 1},
@@ -267,18 +311,23 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
                  {"rms_slope [1]", problem.rms_slope},
                  {"highest [m]", std::ranges::max(problem.heights)}}},
                {"body", body_json(problem.body)},
-               {"contact", "frictionless, non-adhesive, hard"},
+               {"contact", problem.adhesion ? adhesive_contact : hard_contact},
                {"loads", loads},
                {"requested",
                 {"pressure field", "mean_gap", "contact_area_fraction",
                  "elastic_energy"}},
-               {"conventions", conventions(problem.is_periodic())},
+               {"conventions", conventions(problem)},
                {"example",
                 {{"nominal_pressure [Pa]", example.nominal_pressure},
                  {"mean_gap [m]", example.mean_gap},
                  {"contact_area_fraction [1]", example.area_fraction},
                  {"elastic_energy [J/m^2]", example.elastic_energy},
                  {"largest_pressure [Pa]", example.largest_pressure}}}};
+  if (problem.adhesion) {
+    json["adhesion"] = adhesion_json(*problem.adhesion);
+    json["requested"] = {"pressure field", "energy"};
+    json["example"]["energy [J/m^2]"] = example.energy;
+  }
   if (!mesh.is_null())
     json["mesh"] = mesh;
   return text_of_json(json, 2) + "\n";
@@ -314,9 +363,10 @@ Problem read_problem(const std::filesystem::path& folder) {
     members.refuse("/body/thickness [m]", "null without periodic boundaries");
   if (!problem.is_periodic() && !problem.body.layers.empty())
     members.refuse("/body/layers", "empty without periodic boundaries");
+  problem.adhesion = read_contact(members, problem.is_periodic());
   for (std::size_t i = 0; i < members.list_size("/loads"); ++i)
-    problem.loads.push_back(
-        members.number(fmt::format("/loads/{}/nominal_pressure [Pa]", i), 0.0));
+    problem.loads.push_back(members.number(
+        fmt::format("/loads/{}/{}", i, load_name(problem)), 0.0));
   if (problem.loads.empty())
     members.refuse("/loads", "a list of at least one load");
   read_heights(folder, members, problem);

@@ -6,29 +6,36 @@
 #include "base/grid.hpp"
 #include "base/special_numbers.hpp"
 #include "contact/operators/halfspace.hpp"
+#include "mechanics/contact_law.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace asperity::exchange {
 
-/// A rigid rough surface that is pressed on an elastic block in frictionless,
-/// non-adhesive, hard contact, on one periodic cell or once, on a rectangle of
-/// an infinite half-space.
+/// A rigid rough surface that is pressed on an elastic block without friction:
+/// in non-adhesive, hard contact on one periodic cell or once, on a rectangle
+/// of an infinite half-space, or with a hard wall and exponential attraction,
+/// on a periodic cell.
 struct Problem {
   std::string name;  ///< is_good_name(), not beginning with '.'
   std::string title; ///< one line of at most longest_line bytes
   Grid grid;
   std::vector<double> heights;  ///< [m], positive towards the block, mean 0
   mechanics::ElasticBlock body; ///< with its border
-  std::vector<double> loads;    ///< nominal pressures p_0 [Pa] > 0, ascending
-  double rms_height = 0.0;      ///< of the heights [m] > 0
-  double rms_slope = 0.0;       ///< of the heights, both directions [1]
+  /// With ContactLaw::exponential; none: non-adhesive, hard contact.
+  std::optional<mechanics::ContactInterface> adhesion = {};
+  /// Nominal pressures p_0 [Pa] > 0, ascending; with adhesion mean gaps [m] > 0
+  /// in the order of the path, which begins out of contact.
+  std::vector<double> loads;
+  double rms_height = 0.0;  ///< of the heights [m] > 0
+  double rms_slope = 0.0;   ///< of the heights, both directions [1]
   std::string heights_hash; ///< SHA-256 of heights.npy, if read from a folder
 
   bool is_periodic() const { return !body.is_free(); }
@@ -38,10 +45,12 @@ struct Problem {
 struct ProblemAnswer {
   double nominal_pressure = 0.0; ///< [Pa]
   double mean_gap = 0.0;         ///< [m]
-  double mean_gap_error = 0.0;   ///< certified bound [m]
-  double area_fraction = 0.0;    ///< share of the nodes with p > 0 [1]
+  double mean_gap_error = 0.0;   ///< certified bound [m]; 0 if prescribed
+  /// Share of the nodes with p > 0, with adhesion of those at the wall [1].
+  double area_fraction = 0.0;
   double elastic_energy = 0.0;   ///< per nominal area [J/m^2]
   double largest_pressure = 0.0; ///< [Pa]
+  double energy = not_a_number;  ///< with adhesion: U per nominal area [J/m^2]
 };
 
 /// An estimate of the continuum solution at one load.

@@ -83,7 +83,8 @@ std::string reference_json(const Problem& problem,
                         {"mean_gap_error [m]", answer.mean_gap_error},
                         {"contact_area_fraction [1]", answer.area_fraction},
                         {"elastic_energy [J/m^2]", answer.elastic_energy},
-                        {"largest_pressure [Pa]", answer.largest_pressure}});
+                        {"largest_pressure [Pa]", answer.largest_pressure},
+                        {"energy [J/m^2]", answer.energy}});
   Json limit = Json::array();
   for (const ContinuumAnswer& answer : continuum)
     limit.push_back(
@@ -95,9 +96,50 @@ std::string reference_json(const Problem& problem,
          {"source", answer.source}});
   const Json json{
       {"problem", problem.name},
-      {"discrete", {{"meaning", discrete_meaning}, {"answers", discrete}}},
+      {"discrete",
+       {{"meaning", problem.adhesion ? path_meaning : discrete_meaning},
+        {"answers", discrete}}},
       {"continuum", {{"meaning", continuum_meaning}, {"answers", limit}}}};
   return text_of_json(json, 2) + "\n";
+}
+
+/// The README of a problem.
+/// @param first  the answer at its first load
+std::string readme(const Problem& problem, const ProblemAnswer& first,
+                   const ProblemMesh* mesh) {
+  const ReadmeParts& parts = problem.adhesion ? adhesive_readme : hard_readme;
+  const mechanics::ContactInterface law =
+      problem.adhesion.value_or(mechanics::ContactInterface{});
+  const auto filled = [&](std::string_view text) {
+    return fmt::format(
+        fmt::runtime(text),
+        fmt::arg("cell",
+                 problem.is_periodic() ? "a periodic cell" : "a rectangle"),
+        fmt::arg("means", problem.is_periodic() ? ", mean(w) = 0" : ""),
+        fmt::arg("points_x", problem.grid.points_x),
+        fmt::arg("points_y", problem.grid.points_y),
+        fmt::arg("steps", problem.loads.size()),
+        fmt::arg("loads", problem.loads.size() == 1
+                              ? "one nominal pressure"
+                              : fmt::format("each of the {} nominal pressures",
+                                            problem.loads.size())),
+        fmt::arg("first_load", problem.loads.front()),
+        fmt::arg("work", law.work_of_adhesion),
+        fmt::arg("range", law.adhesion_range),
+        fmt::arg("energy", first.energy));
+  };
+  return fmt::format(
+      fmt::runtime(readme_text), fmt::arg("name", problem.name),
+      fmt::arg("title", problem.title),
+      fmt::arg("statement", filled(parts.statement)),
+      fmt::arg("body", stated_body(problem).text),
+      fmt::arg("references",
+               problem.adhesion
+                   ? "our minima along the path, with their energies"
+                   : "answers on this grid with rigorous error bounds, and "
+                     "estimates of the continuum's answers"),
+      fmt::arg("mesh", mesh == nullptr ? "" : mesh_readme(*mesh, problem)),
+      fmt::arg("answer", filled(parts.answer)));
 }
 
 } // namespace
@@ -176,24 +218,7 @@ void write_problem(const Problem& problem,
   write("problem.schema.json", std::string(problem_schema));
   if (!case_text.empty())
     write("case.toml", case_text);
-  write(
-      "README.md",
-      fmt::format(
-          fmt::runtime(readme_text), fmt::arg("name", problem.name),
-          fmt::arg("title", problem.title),
-          fmt::arg("cell",
-                   problem.is_periodic() ? "a periodic cell" : "a rectangle"),
-          fmt::arg("means", problem.is_periodic() ? ", mean(w) = 0" : ""),
-          fmt::arg("points_x", grid.points_x),
-          fmt::arg("points_y", grid.points_y),
-          fmt::arg("loads", problem.loads.size() == 1
-                                ? "one nominal pressure"
-                                : fmt::format("each of the {} nominal "
-                                              "pressures",
-                                              problem.loads.size())),
-          fmt::arg("first_load", problem.loads.front()),
-          fmt::arg("mesh", mesh == nullptr ? "" : mesh_readme(*mesh, problem)),
-          fmt::arg("body", stated_body(problem).text)));
+  write("README.md", readme(problem, answers.front(), mesh));
   write("problem.json", json);
 }
 
@@ -211,12 +236,14 @@ References read_references(const fs::path& folder) {
     const Json json =
         json_of_text(input::read_input_file(file, input::largest_text_file));
     for (const Json& answer : json.at("discrete").at("answers"))
-      found.discrete.push_back({number(answer, "nominal_pressure [Pa]"),
-                                number(answer, "mean_gap [m]"),
-                                number(answer, "mean_gap_error [m]"),
-                                number(answer, "contact_area_fraction [1]"),
-                                number(answer, "elastic_energy [J/m^2]"),
-                                number(answer, "largest_pressure [Pa]")});
+      found.discrete.push_back(
+          {number(answer, "nominal_pressure [Pa]"),
+           number(answer, "mean_gap [m]"), number(answer, "mean_gap_error [m]"),
+           number(answer, "contact_area_fraction [1]"),
+           number(answer, "elastic_energy [J/m^2]"),
+           number(answer, "largest_pressure [Pa]"),
+           answer.contains("energy [J/m^2]") ? number(answer, "energy [J/m^2]")
+                                             : not_a_number});
     for (const Json& answer : json.at("continuum").at("answers"))
       found.continuum.push_back(
           {number(answer, "nominal_pressure [Pa]"),

@@ -132,27 +132,50 @@ std::optional<std::size_t> load_at(const Problem& problem, double pressure) {
   return std::nullopt;
 }
 
+/// The keys of a [[load]].
+std::vector<std::string> load_keys(const Problem& problem) {
+  std::vector<std::string> keys{"pressure",      "cpu_time",    "cpu_time_low",
+                                "cpu_time_high", "peak_memory", "iterations"};
+  const std::vector<std::string> more =
+      problem.adhesion
+          ? std::vector<std::string>{"step", "energy"}
+          : std::vector<std::string>{"nominal_pressure", "nodal_force",
+                                     "mean_gap", "contact_area_fraction",
+                                     "elastic_energy"};
+  keys.insert(keys.begin(), more.begin(), more.end());
+  return keys;
+}
+
+/// The load of the problem that a [[load]] answers: that of its nominal
+/// pressure, or with adhesion the step of the path, counted from 0.
+std::size_t answered_load(const Problem& problem, SubmissionTable& table) {
+  if (problem.adhesion) {
+    const auto step = static_cast<std::size_t>(table.count("step", 0));
+    const std::size_t last = problem.loads.size() - 1;
+    if (step > last)
+      table.refuse(*table.node().find("step"),
+                   fmt::format("the steps of the path are 0 to {}", last));
+    return std::min(step, last);
+  }
+  const double pressure = table.number("nominal_pressure", 0.0, infinity, true);
+  const std::optional<std::size_t> found = load_at(problem, pressure);
+  if (!found && std::isfinite(pressure))
+    table.refuse(*table.node().find("nominal_pressure"),
+                 fmt::format("must be a load of the problem [Pa]: {}",
+                             fmt::join(problem.loads, ", ")));
+  return found.value_or(0);
+}
+
 void read_load(const Node& node, const Problem& problem,
                const std::filesystem::path& folder, Submission& submission,
                Mistakes& mistakes) {
-  SubmissionTable table(node,
-                        {"nominal_pressure", "pressure", "nodal_force",
-                         "mean_gap", "contact_area_fraction", "elastic_energy",
-                         "cpu_time", "cpu_time_low", "cpu_time_high",
-                         "peak_memory", "iterations"},
-                        mistakes);
+  SubmissionTable table(node, load_keys(problem), mistakes);
   SubmittedLoad load;
-  const double pressure = table.number("nominal_pressure", 0.0, infinity, true);
-  if (const auto found = load_at(problem, pressure))
-    load.load = *found;
-  else if (std::isfinite(pressure))
-    table.refuse(*node.find("nominal_pressure"),
-                 fmt::format("must be a load of the problem [Pa]: {}",
-                             fmt::join(problem.loads, ", ")));
+  load.load = answered_load(problem, table);
   if (std::ranges::find(submission.loads, load.load, &SubmittedLoad::load) !=
       submission.loads.end())
     mistakes.add(node.place, fmt::format("{} is the second one at the load {}",
-                                         node.path, pressure));
+                                         node.path, problem.loads[load.load]));
   load.is_force = node.find("nodal_force") != nullptr;
   if (load.is_force && node.find("pressure") != nullptr)
     mistakes.add(
@@ -164,6 +187,7 @@ void read_load(const Node& node, const Problem& problem,
   load.mean_gap = table.number("mean_gap", -infinity, infinity);
   load.area_fraction = table.number("contact_area_fraction", 0.0, 1.0);
   load.elastic_energy = table.number("elastic_energy", 0.0, infinity);
+  load.energy = table.number("energy", -infinity, infinity);
   load.cpu_time = table.number("cpu_time", 0.0, infinity);
   load.cpu_time_low = table.number("cpu_time_low", 0.0, infinity);
   load.cpu_time_high = table.number("cpu_time_high", 0.0, infinity);

@@ -26,6 +26,7 @@ struct SubmittedLoad {
   double mean_gap = not_a_number;       ///< [m]
   double area_fraction = not_a_number;  ///< [1]
   double elastic_energy = not_a_number; ///< [J/m^2]
+  double energy = not_a_number;         ///< with adhesion: U [J/m^2]
   double cpu_time = not_a_number;       ///< the median of Timing [s]
   double cpu_time_low = not_a_number;   ///< interval of cpu_time [s]
   double cpu_time_high = not_a_number;  ///< likewise

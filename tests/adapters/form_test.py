@@ -37,7 +37,7 @@ def check_refused(adapter, problem, message):
 def main():
     sources = sorted(FOLDER.glob("*.py"))
     adapters = [source for source in sources if source.name not in SHARED]
-    assert len(adapters) == 7, sources
+    assert len(adapters) == 8, sources
     for source in sources:
         check_source(source)
     flat, side = np.zeros((4, 6)), (3e-6, 2e-6)
@@ -48,6 +48,10 @@ def main():
         (write_problem(WORK / "future", flat, *side, [1e6], version=2), "format version 1"),
         (WORK / "missing", "No such file"))
     free = write_problem(WORK / "free", flat, *side, [1e6], is_periodic=False)
+    sticky = write_problem(WORK / "sticky", flat, *side, [1e-7], adhesion=(0.05, 1e-9))
+    check_refused(FOLDER / "numpy_polonsky_keer.py", sticky, "the faces attract each other, which")
+    check_refused(FOLDER / "numpy_adhesion.py", write_problem(WORK / "hard", flat, *side, [1e6]),
+                  "the faces do not attract each other, but this code solves adhesion only")
     for problem, message in refused:
         check_refused(FOLDER / "numpy_polonsky_keer.py", problem, message)
     for adapter in adapters:

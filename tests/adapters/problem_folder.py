@@ -10,8 +10,9 @@ MODULUS = 2e9  # E* [Pa]
 
 
 def write_problem(folder, heights, length_x, length_y, loads, thickness=None, layers=(), version=1,
-                  is_periodic=True):
-    """Writes the parts of a problem folder that a solver needs: heights [m], lengths [m], loads [Pa]."""
+                  is_periodic=True, adhesion=None):
+    """Writes the parts of a problem folder that a solver needs: heights [m], lengths [m], loads
+    [Pa], or the mean gaps [m] with adhesion, its work [J/m^2] and range [m]."""
     folder.mkdir(parents=True)
     np.save(folder / "heights.npy", heights)
     points_y, points_x = heights.shape
@@ -21,8 +22,10 @@ def write_problem(folder, heights, length_x, length_y, loads, thickness=None, la
                  "length_y [m]": length_y, "is_periodic": is_periodic},
         "body": {"contact_modulus [Pa]": MODULUS, "poisson_ratio": 0.3,
                  "thickness [m]": thickness, "layers": list(layers)},
-        "loads": [{"load": number, "nominal_pressure [Pa]": float(load)}
-                  for number, load in enumerate(loads, start=1)]}
+        "loads": [{"load": number, "mean_gap [m]" if adhesion else "nominal_pressure [Pa]":
+                   float(load)} for number, load in enumerate(loads, start=1)]}
+    if adhesion:
+        problem["adhesion"] = {"work_of_adhesion [J/m^2]": adhesion[0], "range [m]": adhesion[1]}
     (folder / "problem.json").write_text(json.dumps(problem), encoding="utf-8")
     return folder
 

@@ -102,6 +102,28 @@ TEST_F(OwnReference, HasTheGapAndTheEnergyOfItsPressure) {
   }
 }
 
+// A path with adhesion: the same pressures are no minima of a stronger
+// attraction.
+TEST_F(OwnReference, IsAPathOfMinimaWithAdhesion) {
+  std::string text = layered;
+  text.replace(text.find("nominal_pressure"), std::string::npos,
+               "mean_gap = [\"3 h_rms\", \"2 h_rms\"]\n[halfspace]\n"
+               "contact = \"exponential\"\n"
+               "work_of_adhesion = \"100 mJ/m^2\"\nrange = \"3 nm\"\n");
+  answered = answered_problem(cases::read_case_text(text, "case.toml"), "");
+  stated = answered;
+  stated.problem.adhesion->work_of_adhesion *= 1.01;
+
+  write_certified_problem(answered, "", folder);
+  EXPECT_EQ(broken_reference(answered, folder), "");
+  fs::remove_all(folder);
+  write(stated, folder);
+  const std::string broken = broken_reference(answered, folder);
+
+  EXPECT_NE(broken.find("does not hold: the energy is"), std::string::npos)
+      << broken;
+}
+
 TEST_F(OwnReference, IsNotHandedOutIfItIsNone) {
   const std::string message = tests::message_of<std::logic_error>(
       [&] { write_certified_problem(stated, "", folder); });

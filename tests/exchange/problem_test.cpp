@@ -189,6 +189,43 @@ TEST_F(ProblemFolder, IsReadAsWritten) {
   EXPECT_TRUE(half_space.grid == problem.grid);
 }
 
+TEST_F(ProblemFolder, HasAdhesion) {
+  EXPECT_FALSE(read_problem(folder).adhesion);
+  problem = problems::sticky_problem();
+  write();
+
+  const Problem read = read_problem(folder);
+  EXPECT_EQ(read.loads, problem.loads);
+  ASSERT_TRUE(read.adhesion);
+  EXPECT_EQ(read.adhesion->law, mechanics::ContactLaw::exponential);
+  EXPECT_EQ(read.adhesion->work_of_adhesion, 0.05);
+  EXPECT_EQ(read.adhesion->adhesion_range, 3.2e-7);
+  const std::string readme = text_of(folder / "README.md");
+  EXPECT_NE(readme.find("gamma = 0.05 J/m^2 and rho = 3.2e-07 m"),
+            std::string::npos)
+      << readme;
+  EXPECT_NE(readme.find("path of 2 steps"), std::string::npos) << readme;
+
+  const auto expect = [&](const char* old_text, const char* new_text,
+                          const char* sentence) {
+    const std::string message = message_with(old_text, new_text);
+    EXPECT_NE(message.find(sentence), std::string::npos) << message;
+  };
+  expect("exponential attraction", "attraction",
+         "/contact is \"frictionless, hard wall, attraction\", but must be "
+         "\"frictionless, non-adhesive, hard\" or \"frictionless, hard wall, "
+         "exponential attraction\"");
+  expect("\"work_of_adhesion [J/m^2]\": 0.05",
+         "\"work_of_adhesion [J/m^2]\": -1",
+         "/adhesion/work_of_adhesion [J~1m^2] is -1, but must be a number > 0");
+  expect("\"range [m]\"", "\"rang [m]\"",
+         "/adhesion/range [m] is missing, but must be a number > 0");
+  expect("mean_gap [m]", "nominal_pressure [Pa]",
+         "/loads/0/mean_gap [m] is missing");
+  expect("\"is_periodic\": true", "\"is_periodic\": false",
+         "but must be \"frictionless, non-adhesive, hard\" without periodic");
+}
+
 // With free boundaries the body is a half-space, and the README states its
 // kernel.
 TEST_F(ProblemFolder, HasFreeBoundaries) {

@@ -35,6 +35,19 @@ inline Problem rough_problem() {
   return problem;
 }
 
+/// The same surface on a softer block with attraction, of a range that the grid
+/// resolves, led to 2.5 and 1.5 h_rms.
+inline Problem sticky_problem() {
+  Problem problem = rough_problem();
+  problem.body.contact_modulus = 2e6;
+  problem.adhesion =
+      mechanics::ContactInterface{mechanics::ContactLaw::exponential};
+  problem.adhesion->work_of_adhesion = 0.05;
+  problem.adhesion->adhesion_range = 3.2e-7;
+  problem.loads = {2.5 * problem.rms_height, 1.5 * problem.rms_height};
+  return problem;
+}
+
 inline std::unique_ptr<contact::SurfaceOperator>
 operator_of(const Problem& problem) {
   return surface_operator(problem, problem.grid);

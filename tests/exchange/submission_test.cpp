@@ -195,6 +195,25 @@ TEST_F(SubmissionFolder, ReadsTextAndRefusesInvalidFields) {
   expect(with_file("n.npy"), "has a number that is not finite");
 }
 
+TEST_F(SubmissionFolder, NamesStepsOfAPathWithAdhesion) {
+  problem = problems::sticky_problem();
+  const std::string rest = "pressure = \"p.npy\"\n";
+  const Submission found =
+      read(head + "[[load]]\nstep = 1\nenergy = -1e-3\n" + rest);
+  ASSERT_EQ(found.loads.size(), 1U);
+  EXPECT_EQ(found.loads[0].load, 1U);
+  EXPECT_EQ(found.loads[0].energy, -1e-3);
+  expect(head + "[[load]]\n" + rest, "step is missing");
+  expect(head + "[[load]]\nstep = 2\n" + rest,
+         "step = 2, but the steps of the path are 0 to 1");
+  expect(head + "[[load]]\nstep = -1\n" + rest, "must be a number from 0");
+  expect(head + "[[load]]\nstep = 0.5\n" + rest, "must be a whole number");
+  expect(head + "[[load]]\nstep = 0\n" + rest + "[[load]]\nstep = 0\n" + rest,
+         "is the second one at the load");
+  expect(head + "[[load]]\nstep = 0\nmean_gap = 1e-7\n" + rest,
+         "load.mean_gap is unknown");
+}
+
 TEST_F(SubmissionFolder, ReadsACurve) {
   const std::string header =
       "nominal_pressure [Pa],mean_gap [m],area_fraction [1]\n";

@@ -99,13 +99,16 @@ bool all_hold(const CertifiedField& field) {
   return std::ranges::all_of(field.claims, &Claim::holds);
 }
 
-nlohmann::ordered_json certificate_json(const CertifiedField& field) {
-  using Json = nlohmann::ordered_json;
-  const contact::FieldCheck& check = field.check;
-  const contact::SeparationBounds& bounds = field.bounds;
-  Json claims = Json::array();
+nlohmann::ordered_json claims_json(const CertifiedField& field) {
+  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
   for (const Claim& claim : field.claims)
     claims.push_back({{"claim", claim.text}, {"holds", claim.holds}});
+  return claims;
+}
+
+nlohmann::ordered_json certificate_json(const CertifiedField& field) {
+  const contact::FieldCheck& check = field.check;
+  const contact::SeparationBounds& bounds = field.bounds;
   return {{"method", field.method},
           {"realization", field.realization},
           {"step", field.step},
@@ -127,7 +130,7 @@ nlohmann::ordered_json certificate_json(const CertifiedField& field) {
           {"mean_gap_error [m]", bounds.error},
           {"mean_gap_of_field [m]", check.mean_gap},
           {"error_of_field [m]", field.error_of_field()},
-          {"claims", claims}};
+          {"claims", claims_json(field)}};
 }
 
 } // namespace asperity::exchange

@@ -66,6 +66,9 @@ std::string broken_claims(const CertifiedField& field);
 
 bool all_hold(const CertifiedField& field);
 
+/// A list of all claims.
+nlohmann::ordered_json claims_json(const CertifiedField& field);
+
 nlohmann::ordered_json certificate_json(const CertifiedField& field);
 
 } // namespace asperity::exchange

@@ -6,6 +6,7 @@
 #include "base/plain_text.hpp"
 #include "base/special_numbers.hpp"
 #include "input/input_error.hpp"
+#include "mechanics/adhesion_scales.hpp"
 #include "results/observables/contact_stiffness.hpp"
 #include "results/types/method_columns.hpp"
 #include "run/methods/continuum_block.hpp"
@@ -76,7 +77,7 @@ methods::StepAnswer answer_of(contact::SurfaceOperator& elasticity,
     const double violation = solution.pressure[i] > 0.0 ? std::abs(gap) : -gap;
     solution.gap_error = std::max(solution.gap_error, violation);
   }
-  methods::StepAnswer answer = methods::observe(
+  return methods::observe(
       std::move(solution),
       {{},
        0.0,
@@ -84,10 +85,56 @@ methods::StepAnswer answer_of(contact::SurfaceOperator& elasticity,
                              : results::free_area_coefficients,
        methods::boundary_modulus(problem.body, problem.grid.spacing_x())},
       surface);
-  answer.row.step = static_cast<int>(load.load);
-  answer.row[columns::certified_gap_error] = field.error_of_field();
-  answer.row.cpu_time = std::isfinite(load.cpu_time) ? load.cpu_time : 0.0;
-  return answer;
+}
+
+/// The state, its energy and its claims, of a problem with adhesion.
+void import_state(contact::SurfaceOperator& elasticity, const Problem& problem,
+                  const methods::SurfaceOfCase& surface,
+                  const Submission& submission, const SubmittedLoad& load,
+                  ImportedLoad& done) {
+  const mechanics::ContactInterface& law = *problem.adhesion;
+  contact::ContactSolution state = adhesive_state(
+      elasticity, problem, problem.loads[load.load], load.pressure);
+  state.iterations = load.iterations;
+  try {
+    done.adhesive = adhesive_answer(elasticity, problem, state);
+  } catch (const input::InputError& error) {
+    throw input::InputError(
+        fmt::format("{}: {}", load.file.string(), error.what()));
+  }
+  done.field.nominal_pressure = state.nominal_pressure;
+  done.field.mean_gap = state.mean_gap;
+  add_adhesive_claims(*done.adhesive, problem, submission.claimed_error,
+                      load.energy, done.field);
+  methods::Observation observation;
+  observation.contact_modulus = problem.body.contact_modulus;
+  observation.criterion = {mechanics::ContactField::gap};
+  observation.adhesion = law;
+  observation.grid_number = law.grid_number(
+      problem.body.contact_modulus,
+      mechanics::adhesion_scales(surface.scales, problem.grid).spacing);
+  done.answer = methods::observe(std::move(state), observation, surface);
+  done.answer.row.is_unloading =
+      load.load > 0 && problem.loads[load.load] > problem.loads[load.load - 1];
+}
+
+/// The bounds and the row of a problem without adhesion.
+void import_field(contact::SurfaceOperator& elasticity, const Problem& problem,
+                  const methods::SurfaceOfCase& surface,
+                  const Submission& submission, const SubmittedLoad& load,
+                  ImportedLoad& done) {
+  done.mistakes = recognised_mistakes(elasticity, problem, load);
+  if (!(std::ranges::max(load.pressure) > 0.0))
+    throw input::InputError(fmt::format(
+        "{}: no pressure is > 0, so that nothing can be certified: {}",
+        load.file.string(), fmt::join(done.mistakes, "; ")));
+  done.field = certified(elasticity,
+                         {problem.heights, 0.0, problem.loads[load.load],
+                          load.pressure, load.mean_gap},
+                         surface.record.rms_height, submission.claimed_error);
+  add_claims(load.area_fraction, load.elastic_energy, done.field);
+  done.answer = answer_of(elasticity, problem, surface, done.field, load);
+  done.answer.row[columns::certified_gap_error] = done.field.error_of_field();
 }
 
 ImportedLoad imported(contact::SurfaceOperator& elasticity,
@@ -99,20 +146,14 @@ ImportedLoad imported(contact::SurfaceOperator& elasticity,
   done.cpu_time_low = load.cpu_time_low;
   done.cpu_time_high = load.cpu_time_high;
   done.peak_memory = load.peak_memory;
-  done.mistakes = recognised_mistakes(elasticity, problem, load);
-  if (!(std::ranges::max(load.pressure) > 0.0))
-    throw input::InputError(fmt::format(
-        "{}: no pressure is > 0, so that nothing can be certified: {}",
-        load.file.string(), fmt::join(done.mistakes, "; ")));
-  done.field = certified(elasticity,
-                         {problem.heights, 0.0, problem.loads[load.load],
-                          load.pressure, load.mean_gap},
-                         surface.record.rms_height, submission.claimed_error);
+  (problem.adhesion ? import_state : import_field)(elasticity, problem, surface,
+                                                   submission, load, done);
   done.field.method = method_name(submission);
   done.field.step = static_cast<int>(load.load);
   done.field.contact_modulus = problem.body.contact_modulus;
-  add_claims(load.area_fraction, load.elastic_energy, done.field);
-  done.answer = answer_of(elasticity, problem, surface, done.field, load);
+  done.field.rms_height = surface.record.rms_height;
+  done.answer.row.step = done.field.step;
+  done.answer.row.cpu_time = std::isfinite(load.cpu_time) ? load.cpu_time : 0.0;
   return done;
 }
 
@@ -152,7 +193,7 @@ ImportedAnswer import_answer(const fs::path& folder, const Problem& problem,
       surface_operator(problem, problem.grid);
   const std::string& element = answer.submission.element;
   const std::unique_ptr<contact::SurfaceOperator> on_mesh =
-      mesh && !element.empty() ? mesh(element) : nullptr;
+      mesh && !element.empty() && !problem.adhesion ? mesh(element) : nullptr;
   for (const SubmittedLoad& load : answer.submission.loads)
     require_grid(problem, load);
   for (SubmittedLoad& load : answer.submission.loads) {
@@ -178,7 +219,8 @@ nlohmann::ordered_json answer_json(const ImportedAnswer& answer) {
   const Submission& submission = answer.submission;
   Json list = Json::array();
   for (const ImportedLoad& load : answer.loads) {
-    Json one = certificate_json(load.field);
+    Json one = load.adhesive ? adhesive_json(*load.adhesive, load.field)
+                             : certificate_json(load.field);
     one["mistakes"] = load.mistakes;
     const results::CurvePoint& row = load.answer.row;
     one["area_fraction [1]"] = row.area_fraction;

@@ -6,6 +6,7 @@
 #include "input/types/case.hpp"
 #include "run/methods/step_solver.hpp"
 #include "run/methods/surfaces_of_case.hpp"
+#include "suite/exchange/answers/adhesive_answer.hpp"
 #include "suite/exchange/answers/certified_field.hpp"
 #include "suite/exchange/submission.hpp"
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,8 @@ struct ImportedLoad {
   double cpu_time_low = not_a_number;  ///< as SubmittedLoad
   double cpu_time_high = not_a_number; ///< likewise
   double peak_memory = not_a_number;   ///< likewise
-  CertifiedField field;
+  CertifiedField field; ///< with adhesion its claims, without bounds
+  std::optional<AdhesiveAnswer> adhesive; ///< of a problem with adhesion
   /// Bound of the error of the mean gap that follows from the field, with the
   /// compliance of the submission's mesh; NaN: it has none [m].
   double mesh_error = not_a_number;
@@ -48,6 +51,8 @@ struct ImportedAnswer {
 /// The name of the row of a result's provenance that says which body an import
 /// was certified against, unless it is the periodic half-space.
 inline constexpr const char* imported_body = "imported body";
+/// What it says of a problem with adhesion.
+inline constexpr const char* attracting_faces = "faces that attract each other";
 
 /// The surface of a problem, with the statistics that a result records.
 methods::SurfaceOfCase surface_of(const Problem& problem);
@@ -62,7 +67,8 @@ using MeshOperator = std::function<std::unique_ptr<contact::SurfaceOperator>(
     const std::string& element)>;
 
 /// Reads and certifies a submission. The contact stiffness follows from
-/// differences between the loads.
+/// differences between the loads. Answers to a problem with adhesion have no
+/// bounds, but energies.
 /// @param surface  surface_of(problem)
 /// @param mesh     of the problem, if it is known
 /// @throws input::InputError  the submission cannot be read, or a field cannot

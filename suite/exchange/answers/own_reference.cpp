@@ -47,11 +47,14 @@ void write_answer(const AnsweredProblem& answered, const fs::path& folder) {
         surfaces::npy_bytes(answered.pressures[i],
                             static_cast<std::size_t>(grid.points_y),
                             static_cast<std::size_t>(grid.points_x)));
-    text += fmt::format("[[load]]\nnominal_pressure = {}\npressure = \"{}\"\n"
-                        "mean_gap = {}\ncontact_area_fraction = {}\n"
-                        "elastic_energy = {}\n",
-                        answer.nominal_pressure, file, answer.mean_gap,
-                        answer.area_fraction, answer.elastic_energy);
+    text += fmt::format("[[load]]\npressure = \"{}\"\n", file);
+    text += answered.problem.adhesion
+                ? fmt::format("step = {}\nenergy = {}\n", i, answer.energy)
+                : fmt::format("nominal_pressure = {}\nmean_gap = {}\n"
+                              "contact_area_fraction = {}\n"
+                              "elastic_energy = {}\n",
+                              answer.nominal_pressure, answer.mean_gap,
+                              answer.area_fraction, answer.elastic_energy);
   }
   write_file_atomically(folder / "submission.toml", text);
 }

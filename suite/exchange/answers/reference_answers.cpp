@@ -4,12 +4,14 @@
 #include "contact/certificate/certificate.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "input/input_error.hpp"
+#include "mechanics/adhesion_scales.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/refinement.hpp"
 #include "results/observables/observables.hpp"
 #include "run/methods/chosen.hpp"
 #include "run/methods/continuum_block.hpp"
 #include "run/methods/surfaces_of_case.hpp"
+#include "suite/exchange/answers/adhesive_answer.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
@@ -56,15 +58,18 @@ public:
   /// @param heights  of this grid
   ReferenceSolver(const Problem& problem, const Grid& grid,
                   const std::vector<double>& heights)
-      : heights_(heights),
+      : problem_(problem),
+        heights_(heights),
         elasticity_(surface_operator(problem, grid)),
-        sequence_(elasticity_->clone(), heights, {},
+        sequence_(elasticity_->clone(), heights,
+                  problem.adhesion.value_or(mechanics::ContactInterface{}),
                   reference_tolerance * problem.rms_height,
                   most_reference_iterations) {}
 
   ProblemAnswer answer(const mechanics::LoadTarget& target) {
     contact::ContactSolution solution = sequence_.solve(target);
-    if (!solution.converged || !(solution.nominal_pressure > 0.0))
+    if (!solution.converged ||
+        !(problem_.adhesion || solution.nominal_pressure > 0.0))
       throw NoAnswer(fmt::format(
           "the problem has no answer at {:g}: {}", target.amount,
           solution.note.empty() ? "there is no contact" : solution.note));
@@ -72,10 +77,15 @@ public:
     answer.nominal_pressure = solution.nominal_pressure;
     answer.mean_gap = solution.mean_gap;
     answer.area_fraction = results::counted_area_fraction(
-        results::ContactNodes::under(solution.pressure));
+        problem_.adhesion
+            ? results::ContactNodes({mechanics::ContactField::gap}, {},
+                                    solution.gap)
+            : results::ContactNodes::under(solution.pressure));
     answer.elastic_energy =
         results::elastic_energy(solution.pressure, solution.displacement, {});
     answer.largest_pressure = std::ranges::max(solution.pressure);
+    if (problem_.adhesion)
+      answer.energy = adhesive_energy(*elasticity_, problem_, solution.gap);
     pressure_ = std::move(solution.pressure);
     return answer;
   }
@@ -92,6 +102,7 @@ public:
   }
 
 private:
+  const Problem& problem_;
   const std::vector<double>& heights_;
   std::unique_ptr<contact::SurfaceOperator> elasticity_;
   contact::LoadSequence sequence_;
@@ -100,6 +111,26 @@ private:
 
 mechanics::LoadTarget pressure_target(double pressure) {
   return {mechanics::Control::nominal_pressure, pressure};
+}
+
+/// The mean gaps of the path of a case with adhesion.
+/// @throws input::InputError  no problem can describe the contact
+std::vector<mechanics::LoadTarget> path_of(const cases::Case& contact_case,
+                                           const cases::MethodSpec& method,
+                                           const mechanics::Scales& scales) {
+  const mechanics::LoadingPath& load = contact_case.load;
+  if (method.border() != mechanics::Border::periodic ||
+      method.contact()->law != mechanics::ContactLaw::exponential ||
+      load.control != mechanics::Control::mean_gap || load.spring)
+    throw input::InputError(fmt::format(
+        "{}: {} has adhesion, of which a problem can describe contact = "
+        "\"exponential\" with periodic boundaries, along mean gaps without a "
+        "spring",
+        contact_case.path, method.name));
+  std::vector<mechanics::LoadTarget> targets;
+  for (const auto& target : load.targets)
+    targets.push_back({load.control, target.in_si(scales)});
+  return targets;
 }
 
 /// The loads without repetitions, ascending in the contact pressure.
@@ -239,10 +270,6 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
         fmt::format("{}: has a block that is not layered, which no problem can "
                     "describe",
                     contact_case.path));
-  if (method.is_adhesive())
-    throw input::InputError(
-        fmt::format("{}: {} has adhesion, which no problem can describe",
-                    contact_case.path, method.name));
   if (method.hardness())
     throw input::InputError(
         fmt::format("{}: {} has a hardness, which no problem can describe",
@@ -276,16 +303,23 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
   problem.rms_slope = surface.record.rms_slope;
   problem.body =
       methods::continuum_of(method, contact_case.material, surface.scales);
+  if (method.is_adhesive())
+    problem.adhesion = method.adhesion(
+        mechanics::adhesion_scales(surface.scales, problem.grid));
   ReferenceSolver solver(problem, problem.grid, problem.heights);
   for (const mechanics::LoadTarget& target :
-       targets_of(contact_case, surface.scales)) {
+       problem.adhesion ? path_of(contact_case, method, surface.scales)
+                        : targets_of(contact_case, surface.scales)) {
     ProblemAnswer answer = solver.answer(target);
-    answer.mean_gap_error = solver.certified_error(answer);
-    problem.loads.push_back(answer.nominal_pressure);
+    if (!problem.adhesion)
+      answer.mean_gap_error = solver.certified_error(answer);
+    problem.loads.push_back(problem.adhesion ? target.amount
+                                             : answer.nominal_pressure);
     answered.answers.push_back(answer);
     answered.pressures.push_back(solver.pressure());
   }
-  answered.continuum = continuum_answers(contact_case, answered);
+  if (!problem.adhesion)
+    answered.continuum = continuum_answers(contact_case, answered);
   return answered;
 }
 

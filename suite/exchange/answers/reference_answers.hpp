@@ -30,7 +30,9 @@ struct AnsweredProblem {
 };
 
 /// The problem is the first realisation of the surface, pressed on the block of
-/// one method in hard contact. Loads given as mean gaps become the pressures of
+/// one method in hard contact, or with exponential attraction along the path of
+/// mean gaps of the case; there is no estimate of the continuum then. Loads
+/// given as mean gaps become the pressures of
 /// the answers. The continuum is estimated from this grid and up to two finer
 /// ones of at most 1024 points per side, or is the exact solution of the shape
 /// on a half-space (a wave, or a single shape with free boundaries); a measured

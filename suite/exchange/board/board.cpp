@@ -131,12 +131,22 @@ double largest_error(const ImportedAnswer& answer,
 void add_numbers(const ImportedAnswer& answer, const Problem& problem,
                  BoardEntry& entry) {
   entry.loads = answer.loads.size();
-  entry.gap_error = largest_error(answer, [](const ImportedLoad& load) {
-    return load.field.error_of_field() / load.field.rms_height;
-  });
-  entry.pressure_error = largest_error(answer, [](const ImportedLoad& load) {
-    return load.field.check.pressure_error;
-  });
+  if (problem.adhesion) {
+    entry.distance = largest_error(answer, [](const ImportedLoad& load) {
+      return load.adhesive->distance / load.field.rms_height;
+    });
+    entry.energies.assign(problem.loads.size(), not_a_number);
+    for (const ImportedLoad& load : answer.loads)
+      entry.energies[static_cast<std::size_t>(load.field.step)] =
+          load.adhesive->energy;
+  } else {
+    entry.gap_error = largest_error(answer, [](const ImportedLoad& load) {
+      return load.field.error_of_field() / load.field.rms_height;
+    });
+    entry.pressure_error = largest_error(answer, [](const ImportedLoad& load) {
+      return load.field.check.pressure_error;
+    });
+  }
   entry.cpu_time = entry.cpu_time_low = entry.cpu_time_high = 0.0;
   entry.peak_memory = 0.0;
   for (const ImportedLoad& load : answer.loads) {
@@ -149,9 +159,12 @@ void add_numbers(const ImportedAnswer& answer, const Problem& problem,
         std::fmax(entry.mesh_error, load.mesh_error / load.field.rms_height);
     for (const Claim& claim : load.field.claims)
       if (!claim.holds)
-        entry.reasons.push_back(fmt::format("{:.3g} Pa: does not hold: {}",
-                                            load.field.nominal_pressure,
-                                            claim.text));
+        entry.reasons.push_back(fmt::format(
+            "{}: does not hold: {}",
+            load.adhesive
+                ? fmt::format("step {}", load.field.step)
+                : fmt::format("{:.3g} Pa", load.field.nominal_pressure),
+            claim.text));
     for (const std::string& mistake : load.mistakes)
       entry.reasons.push_back(fmt::format("{}: {}", load.file, mistake));
   }
@@ -259,9 +272,48 @@ answer_folders(const fs::path& folder, const std::vector<fs::path>& named) {
   return found;
 }
 
+/// Energies that differ by less are the same [w].
+constexpr double equal_energy = 1e-6;
+
+/// Compares the energies of all entries, load by load.
+void compare_energies(BoardProblem& board) {
+  const double work = board.problem.adhesion->work_of_adhesion;
+  for (std::size_t i = 0; i < board.problem.loads.size(); ++i) {
+    const double reference = board.answers.at(i).energy;
+    double lowest = reference;
+    for (const BoardEntry& entry : board.entries)
+      if (entry.state == BoardEntry::State::certified &&
+          entry.missing_loads == 0)
+        lowest = std::min(lowest, entry.energies[i]);
+    for (BoardEntry& entry : board.entries) {
+      if (entry.energies.empty() || std::isnan(entry.energies[i]))
+        continue;
+      const double above = (entry.energies[i] - lowest) / work;
+      entry.energy_above = std::fmax(entry.energy_above, 0.0) +
+                           above / static_cast<double>(entry.loads);
+      entry.lowest_loads += above <= equal_energy ? 1 : 0;
+      entry.reference_loads +=
+          std::abs(entry.energies[i] - reference) <= equal_energy * work ? 1
+                                                                         : 0;
+    }
+  }
+}
+
+/// What entries are sorted by: errors, or energies that differ and then
+/// distances from minima.
+std::pair<double, double> merit(const BoardEntry& entry) {
+  if (entry.energies.empty())
+    return {entry.gap_error, 0.0};
+  return {entry.energy_above <= equal_energy ? 0.0 : entry.energy_above,
+          entry.distance};
+}
+
 std::string state_words(const BoardEntry& entry) {
   return entry.state == BoardEntry::State::certified
-             ? fmt::format("certified, {:.1e} h_rms", entry.gap_error)
+             ? entry.energies.empty()
+                   ? fmt::format("certified, {:.1e} h_rms", entry.gap_error)
+                   : fmt::format("certified, {:.1e} w above the lowest",
+                                 entry.energy_above)
          : entry.state == BoardEntry::State::as_submitted
              ? "as submitted"
              : "failed: " + entry.reasons.front();
@@ -279,13 +331,15 @@ std::vector<BoardProblem> read_board(const fs::path& folder,
     for (const AnswerFolder& answer : answers) {
       problem.entries.push_back(
           board_entry(answer.folder, answer.root, problem, surface));
-      const BoardEntry& entry = problem.entries.back();
-      fmt::print("{:<60} {}\n", entry.folder, state_words(entry));
     }
+    if (problem.problem.adhesion)
+      compare_energies(problem);
+    for (const BoardEntry& entry : problem.entries)
+      fmt::print("{:<60} {}\n", entry.folder, state_words(entry));
     std::ranges::stable_sort(
         problem.entries, [](const BoardEntry& a, const BoardEntry& b) {
-          return std::tie(a.state, a.missing_loads, a.gap_error) <
-                 std::tie(b.state, b.missing_loads, b.gap_error);
+          return std::tuple(a.state, a.missing_loads, merit(a)) <
+                 std::tuple(b.state, b.missing_loads, merit(b));
         });
     board.push_back(std::move(problem));
   }

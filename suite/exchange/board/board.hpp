@@ -34,6 +34,15 @@ struct BoardEntry {
   std::size_t missing_loads = 0;    ///< of the problem: shown after the others
   double gap_error = not_a_number;  ///< of the mean gaps that follow from the
                                     ///< fields: largest bound [h_rms]
+  double distance = not_a_number; ///< with adhesion: largest one of a gap from
+                                  ///< a minimum, rms [h_rms]
+  /// With adhesion: U of each load of the problem [J/m^2]; NaN: not answered.
+  std::vector<double> energies;
+  /// With adhesion: mean over the answered loads of what U is above the lowest
+  /// of all complete answers and the reference [w].
+  double energy_above = not_a_number;
+  std::size_t lowest_loads = 0;    ///< how many are the lowest to 1e-6 w
+  std::size_t reference_loads = 0; ///< how many are the reference's, likewise
   double pressure_error = not_a_number;  ///< largest bound [1]
   double mesh_error = not_a_number;      ///< as gap_error, with the compliance
                                          ///< of the mesh of these elements
@@ -55,7 +64,8 @@ struct BoardProblem {
   std::optional<cases::Case> contact_case;
   std::vector<ProblemAnswer> answers;
   std::vector<ContinuumAnswer> continuum;
-  /// Certified first, then those with all loads, in ascending error.
+  /// Certified first, then those with all loads, in ascending error; with
+  /// adhesion in ascending energy.
   std::vector<BoardEntry> entries;
 };
 

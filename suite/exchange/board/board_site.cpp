@@ -54,6 +54,15 @@ std::string body_words(const mechanics::ElasticBlock& body) {
   return words;
 }
 
+std::string contact_words(const Problem& problem) {
+  if (!problem.adhesion)
+    return "frictionless, non-adhesive, hard contact";
+  return fmt::format("frictionless contact with a hard wall and exponential "
+                     "attraction of {} over {}",
+                     quantity_text(problem.adhesion->work_of_adhesion, "J/m^2"),
+                     quantity_text(problem.adhesion->adhesion_range, "m"));
+}
+
 /// An entry as board.json has it.
 Json entry_json(const BoardEntry& entry) {
   return {{"problem", entry.answer.problem},
@@ -70,6 +79,10 @@ Json entry_json(const BoardEntry& entry) {
           {"missing_loads", entry.missing_loads},
           {"gap_error [h_rms]", entry.gap_error},
           {"pressure_error [1]", entry.pressure_error},
+          {"distance [h_rms]", entry.distance},
+          {"energy_above [w]", entry.energy_above},
+          {"lowest_loads", entry.lowest_loads},
+          {"reference_loads", entry.reference_loads},
           {"mesh_error [h_rms]", entry.mesh_error},
           {"continuum_error [h_rms]", entry.continuum_error},
           {"cpu_time [s]", entry.cpu_time},
@@ -104,6 +117,14 @@ Json row_of(const BoardEntry& entry) {
   row["problem_page"] = problem_page_name(entry.answer.problem);
   row["accuracy_word"] =
       entry.answer.accuracy.empty() ? "–" : entry.answer.accuracy;
+  const bool is_adhesive = !entry.energies.empty();
+  row["first"] = is_adhesive ? entry.energy_above : entry.gap_error;
+  row["second"] = is_adhesive ? entry.distance : entry.pressure_error;
+  row["first_note"] =
+      is_adhesive
+          ? fmt::format("{} of {} lowest, {} as the reference",
+                        entry.lowest_loads, entry.loads, entry.reference_loads)
+          : "";
   row["continuum_uncertainty [h_rms]"] = entry.continuum_uncertainty;
   row["time_note"] = time_note(entry);
   row["credit"] =
@@ -198,6 +219,22 @@ Json ranking(const BoardProblem& problem) {
   return table_of(std::move(rows));
 }
 
+/// The states of our path.
+Json path_table(const BoardProblem& problem) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < problem.answers.size(); ++i) {
+    const ProblemAnswer& answer = problem.answers[i];
+    rows.push_back(
+        {{"step", i},
+         {"gap", answer.mean_gap / problem.problem.rms_height},
+         {"pressure", answer.nominal_pressure},
+         {"area", answer.area_fraction},
+         {"energy",
+          answer.energy / problem.problem.adhesion->work_of_adhesion}});
+  }
+  return table_of(std::move(rows));
+}
+
 /// Reference answers on this grid and in the continuum.
 Json reference_table(const BoardProblem& problem) {
   const double height = problem.problem.rms_height;
@@ -260,17 +297,19 @@ std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
   Json page = {
       {"title", problem.problem.title},
       {"lead",
-       fmt::format("{}: {} × {} nodes, {} load{}, {}; frictionless, "
-                   "non-adhesive, hard contact {}.",
+       fmt::format("{}: {} × {} nodes, {} load{}, {}; {} {}.",
                    problem.problem.name, problem.problem.grid.points_x,
                    problem.problem.grid.points_y, problem.problem.loads.size(),
                    problem.problem.loads.size() == 1 ? "" : "s",
                    body_words(problem.problem.body),
+                   contact_words(problem.problem),
                    problem.problem.is_periodic() ? "on a periodic cell"
                                                  : "with free boundaries")},
       {"ranked", ranking(problem)},
       {"unranked", unranked_tables(problem)},
-      {"reference", reference_table(problem)},
+      {"is_adhesive", problem.problem.adhesion.has_value()},
+      {"reference", problem.problem.adhesion ? path_table(problem)
+                                             : reference_table(problem)},
       {"problem_files", "problems/" + problem.problem.name + "/"},
       {"files",
        {"README.md", "problem.json", "heights.npy", "heights.h5", "heights.txt",
@@ -309,8 +348,10 @@ using Counts = std::map<std::string, std::pair<int, int>>;
 std::string front_page(const std::vector<BoardProblem>& board,
                        const Counts& counts) {
   Json problems = Json::array();
+  // Energies do not belong into the column of bounds.
   const auto least = [](const BoardEntry* entry) {
-    return row_of(entry == nullptr ? BoardEntry() : *entry);
+    return row_of(entry == nullptr || !entry->energies.empty() ? BoardEntry()
+                                                               : *entry);
   };
   for (const BoardProblem& problem : board)
     problems.push_back(
