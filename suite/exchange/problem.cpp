@@ -203,7 +203,8 @@ mechanics::ElasticBlock read_body(const ProblemMembers& members) {
 
 /// The contact of a problem with adhesion; none: it is hard.
 std::optional<mechanics::ContactInterface>
-read_contact(const ProblemMembers& members, bool is_periodic) {
+read_contact(const ProblemMembers& members, const Problem& problem) {
+  const bool is_periodic = problem.is_periodic();
   const std::string words = members.text("/contact");
   if (words == hard_contact)
     return std::nullopt;
@@ -216,7 +217,15 @@ read_contact(const ProblemMembers& members, bool is_periodic) {
   mechanics::ContactInterface law{mechanics::ContactLaw::exponential};
   law.work_of_adhesion =
       members.number("/adhesion/work_of_adhesion [J~1m^2]", 0.0);
-  law.adhesion_range = members.number("/adhesion/range [m]", 0.0);
+  law.adhesion_range =
+      members.number("/adhesion/range [m]", 0.0, mechanics::largest_length);
+  if (!(law.grid_number(
+            problem.body.contact_modulus,
+            std::max(problem.grid.spacing_x(), problem.grid.spacing_y())) <=
+        mechanics::largest_grid_number))
+    members.refuse("/adhesion/range [m]",
+                   "so long that the grid resolves it, work_of_adhesion "
+                   "spacing/(range^2 contact_modulus) <= 1");
   return law;
 }
 
@@ -363,10 +372,14 @@ Problem read_problem(const std::filesystem::path& folder) {
     members.refuse("/body/thickness [m]", "null without periodic boundaries");
   if (!problem.is_periodic() && !problem.body.layers.empty())
     members.refuse("/body/layers", "empty without periodic boundaries");
-  problem.adhesion = read_contact(members, problem.is_periodic());
-  for (std::size_t i = 0; i < members.list_size("/loads"); ++i)
-    problem.loads.push_back(members.number(
-        fmt::format("/loads/{}/{}", i, load_name(problem)), 0.0));
+  problem.adhesion = read_contact(members, problem);
+  for (std::size_t i = 0; i < members.list_size("/loads"); ++i) {
+    const std::string load = fmt::format("/loads/{}/{}", i, load_name(problem));
+    problem.loads.push_back(problem.adhesion
+                                ? members.number(load, mechanics::least_length,
+                                                 mechanics::largest_length)
+                                : members.number(load, 0.0));
+  }
   if (problem.loads.empty())
     members.refuse("/loads", "a list of at least one load");
   read_heights(folder, members, problem);

@@ -1,5 +1,6 @@
 #include "suite/exchange/submission.hpp"
 
+#include "base/maximum.hpp"
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -22,6 +23,8 @@ using cases::NodeType;
 using input::Mistakes;
 
 constexpr std::size_t most_texts = 100; ///< authors, for example
+/// [Pa]; results keep fields in single precision.
+constexpr double largest_pressure = 1e30;
 
 /// Reads the keys of one table of submission.toml and collects the mistakes.
 class SubmissionTable {
@@ -328,6 +331,12 @@ Submission read_submission(const std::filesystem::path& folder,
     if (load.is_force)
       for (double& value : load.pressure)
         value /= problem.grid.spacing_x() * problem.grid.spacing_y();
+    if (const double found = largest_magnitude(load.pressure);
+        !(found <= largest_pressure))
+      throw input::InputError(
+          fmt::format("{}: has a pressure of magnitude {:.3g} Pa, but at most "
+                      "{:g} Pa may be",
+                      load.file.string(), found, largest_pressure));
   }
   if (!curve_file.empty()) {
     input::require_own_file(folder, folder / curve_file);

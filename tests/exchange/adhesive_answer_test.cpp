@@ -1,6 +1,7 @@
 // Tests of suite/exchange/answers/adhesive_answer.hpp: the energy of a gap, the
 // state that a pressure leads to, and what is said of one that is no minimum.
 #include "contact/solvers/adhesive.hpp"
+#include "input/input_error.hpp"
 #include "suite/exchange/answers/adhesive_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -122,9 +123,15 @@ TEST_F(AdhesiveAnswerOf, IsNotSoundFarFromAMinimumOrWithAnotherLoad) {
             std::pair(1UL, 2UL));
 }
 
+TEST_F(AdhesiveAnswerOf, IsRefusedIfRoundoffIsItsGap) {
+  std::vector<double> pressure(problem.heights.size(), 1e12);
+  pressure[5] = -1e20;
+  EXPECT_THROW(answer_to(pressure), input::InputError);
+}
+
 // Nothing is open in a field that presses everywhere.
 TEST_F(AdhesiveAnswerOf, IsJudgedWhateverItIs) {
-  for (const double pressure : {1e30, 1e9, -1e9, -1e30}) {
+  for (const double pressure : {1e12, 1e9, -1e9, -1e12}) {
     const std::vector<double> uniform(problem.heights.size(), pressure);
     const contact::ContactSolution state =
         adhesive_state(*elasticity, problem, problem.loads[0], uniform);

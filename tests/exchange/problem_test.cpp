@@ -218,8 +218,11 @@ TEST_F(ProblemFolder, HasAdhesion) {
   expect("\"work_of_adhesion [J/m^2]\": 0.05",
          "\"work_of_adhesion [J/m^2]\": -1",
          "/adhesion/work_of_adhesion [J~1m^2] is -1, but must be a number > 0");
+  expect("\"range [m]\": 3.2e-07", "\"range [m]\": 1e-9",
+         "/adhesion/range [m] is 1e-09, but must be so long that the grid");
   expect("\"range [m]\"", "\"rang [m]\"",
-         "/adhesion/range [m] is missing, but must be a number > 0");
+         "/adhesion/range [m] is missing, but must be a number between 0 and "
+         "1e+16");
   expect("mean_gap [m]", "nominal_pressure [Pa]",
          "/loads/0/mean_gap [m] is missing");
   expect("\"is_periodic\": true", "\"is_periodic\": false",

@@ -193,6 +193,10 @@ TEST_F(SubmissionFolder, ReadsTextAndRefusesInvalidFields) {
   broken[5] = not_a_number;
   write("n.npy", surfaces::npy_bytes(broken, 64, 64));
   expect(with_file("n.npy"), "has a number that is not finite");
+  broken[5] = -2e30;
+  write("n.npy", surfaces::npy_bytes(broken, 64, 64));
+  expect(with_file("n.npy"), "has a pressure of magnitude 2e+30 Pa, but at "
+                             "most 1e+30 Pa may be");
 }
 
 TEST_F(SubmissionFolder, NamesStepsOfAPathWithAdhesion) {

@@ -2,6 +2,7 @@
 
 #include "base/field_sums.hpp"
 #include "base/json.hpp"
+#include "base/maximum.hpp"
 #include "base/shown_number.hpp"
 #include "contact/solvers/adhesive.hpp"
 #include "input/input_error.hpp"
@@ -66,6 +67,13 @@ contact::ContactSolution adhesive_state(contact::SurfaceOperator& elasticity,
   state.converged = true;
   state.displacement.resize(state.pressure.size());
   elasticity.displacement(state.pressure, state.displacement);
+  constexpr double most = 1e8; // of which roundoff leaves a gap
+  if (const double found = largest_magnitude(state.displacement);
+      !(found <= most * (mean_gap + problem.rms_height)))
+    throw input::InputError(
+        fmt::format("moves the surface by {:.3g} m, but the mean gap is {:.3g} "
+                    "m and the rms height {:.3g} m: pressures are in Pa",
+                    found, mean_gap, problem.rms_height));
   state.gap.resize(state.pressure.size());
   std::vector<bool> is_closed(state.gap.size());
   for (std::size_t i = 0; i < state.gap.size(); ++i) {

@@ -36,6 +36,7 @@ double adhesive_energy(contact::SurfaceOperator& elasticity,
 /// negative; the open nodes are shifted so that the mean is u. It has the
 /// pressure as submitted.
 /// @param mean_gap  u [m] > 0
+/// @throws input::InputError  C p is 1e8 times as large as gap and heights
 contact::ContactSolution adhesive_state(contact::SurfaceOperator& elasticity,
                                         const Problem& problem, double mean_gap,
                                         std::vector<double> pressure);

@@ -93,15 +93,16 @@ void import_state(contact::SurfaceOperator& elasticity, const Problem& problem,
                   const Submission& submission, const SubmittedLoad& load,
                   ImportedLoad& done) {
   const mechanics::ContactInterface& law = *problem.adhesion;
-  contact::ContactSolution state = adhesive_state(
-      elasticity, problem, problem.loads[load.load], load.pressure);
-  state.iterations = load.iterations;
+  contact::ContactSolution state;
   try {
+    state = adhesive_state(elasticity, problem, problem.loads[load.load],
+                           load.pressure);
     done.adhesive = adhesive_answer(elasticity, problem, state);
   } catch (const input::InputError& error) {
     throw input::InputError(
         fmt::format("{}: {}", load.file.string(), error.what()));
   }
+  state.iterations = load.iterations;
   done.field.nominal_pressure = state.nominal_pressure;
   done.field.mean_gap = state.mean_gap;
   add_adhesive_claims(*done.adhesive, problem, submission.claimed_error,
