@@ -137,15 +137,15 @@ std::optional<std::size_t> load_at(const Problem& problem, double pressure) {
 
 /// The keys of a [[load]].
 std::vector<std::string> load_keys(const Problem& problem) {
-  std::vector<std::string> keys{"pressure",      "cpu_time",    "cpu_time_low",
-                                "cpu_time_high", "peak_memory", "iterations"};
-  const std::vector<std::string> more =
+  std::vector<std::string> keys =
       problem.adhesion
           ? std::vector<std::string>{"step", "energy"}
-          : std::vector<std::string>{"nominal_pressure", "nodal_force",
-                                     "mean_gap", "contact_area_fraction",
-                                     "elastic_energy"};
-  keys.insert(keys.begin(), more.begin(), more.end());
+          : std::vector<std::string>{"nominal_pressure", "mean_gap",
+                                     "contact_area_fraction", "elastic_energy"};
+  for (const char* const key :
+       {"pressure", "nodal_force", "cpu_time", "cpu_time_low", "cpu_time_high",
+        "peak_memory", "iterations"})
+    keys.emplace_back(key);
   return keys;
 }
 

@@ -127,8 +127,8 @@ void add_adhesive_claims(const AdhesiveAnswer& answer, const Problem& problem,
   field.claims.push_back(
       {fmt::format("the mean pressure is that of this minimum to {:g} of the "
                    "largest tension (they differ by {:.2g} Pa)",
-                   claimed_load_error, answer.pressure_error),
-       std::abs(answer.pressure_error) <= claimed_load_error * tension});
+                   claimed_error, answer.pressure_error),
+       std::abs(answer.pressure_error) <= claimed_error * tension});
   if (std::isfinite(energy))
     field.claims.push_back(
         {fmt::format("the energy is {:.8g} J/m^2 (from the field {:.8g} J/m^2)",

@@ -48,8 +48,8 @@ AdhesiveAnswer adhesive_answer(contact::SurfaceOperator& elasticity,
                                const contact::ContactSolution& state);
 
 /// Claims that the gap is within claimed_error h_rms (rms) of a minimum, that
-/// the mean pressure is that of the minimum to 1e-3 of the largest tension, and
-/// that the energy is as submitted to 1e-6 w (NaN: not submitted).
+/// the mean pressure is that of the minimum to claimed_error of the largest
+/// tension, and that the energy is as submitted to 1e-6 w (NaN: not submitted).
 void add_adhesive_claims(const AdhesiveAnswer& answer, const Problem& problem,
                          double claimed_error, double energy,
                          CertifiedField& field);
