@@ -161,8 +161,9 @@ ContactSolution LoadSequence::solve(mechanics::LoadTarget target) {
     history_.clear();
   control_ = target.control;
   if (solver_ == mechanics::SurfaceSolver::adhesive) {
-    return target.spring * elasticity_->short_wave_compliance() >
-                   stiffest_spring
+    return std::isfinite(target.spring) &&
+                   target.spring * elasticity_->short_wave_compliance() >
+                       stiffest_spring
                ? solve_with_stiff_spring(target)
                : solve_with_adhesion(target);
   }

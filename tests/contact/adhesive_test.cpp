@@ -202,6 +202,35 @@ TEST_P(AdhesiveRoughness, LoadsByGapAndByPressureAgree) {
   EXPECT_NEAR(by_pressure.mean_gap / rms_height, 1.0, 1e-7);
 }
 
+// Without a jump, a step is one minimisation from the gap of the step before,
+// with one test for a minimum.
+TEST_P(AdhesiveRoughness, IsSolvedOnceInAStep) {
+  const ContactInterface interface = law(0.02);
+  for (const Kind control : {Kind::nominal_pressure, Kind::mean_gap}) {
+    const auto target = [&](double share) {
+      return control == Kind::mean_gap
+                 ? mechanics::LoadTarget{control, rms_height / share}
+                 : mechanics::LoadTarget{control, 0.02 * share};
+    };
+    LoadSequence path = sequence(interface);
+    const ContactSolution before = path.solve(target(1.0));
+    std::vector<double> start = before.gap;
+    for (double& gap : start)
+      gap = static_cast<float>(gap);
+    const ContactSolution alone =
+        solve_adhesive(elasticity,
+                       {heights, interface, 1e-10 * rms_height, 2000,
+                        adhesive_scale(elasticity, heights), 1e-10},
+                       target(1.2), start);
+
+    const ContactSolution found = path.solve(target(1.2));
+
+    ASSERT_TRUE(found.converged) << found.note;
+    EXPECT_EQ(found.iterations, alone.iterations);
+    EXPECT_EQ(found.transforms, alone.transforms);
+  }
+}
+
 // A spring whose stiffness is a hundredth of that of short waves, and one a
 // thousand times as stiff: p_0 = k (u - d), and the state is that of the mean
 // gap or of the load that it has.
