@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -13,6 +14,15 @@ struct ShownUnit {
   double size = 1.0;
   std::string name; ///< with a blank before it
 };
+
+/// "m³/s" for "m^3/s".
+std::string with_superscripts(std::string unit) {
+  for (const auto& [power, sign] :
+       {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("^4", "⁴")})
+    for (std::size_t at = 0; (at = unit.find(power, at)) != unit.npos;)
+      unit.replace(at, 2, sign);
+  return unit;
+}
 
 ShownUnit suited_unit(double value, const std::string& unit) {
   struct Prefix {
@@ -36,7 +46,7 @@ ShownUnit suited_unit(double value, const std::string& unit) {
     }
   if (unit == "%")
     return {0.01, " %"};
-  return {1.0, unit == "1" ? "" : " " + unit};
+  return {1.0, unit == "1" ? "" : " " + with_superscripts(unit)};
 }
 
 /// A number with decimals and, from 10 000 on, a blank between thousands.
@@ -54,6 +64,11 @@ std::string with_decimals(double value, int decimals) {
 int first_digit(double value, int digits) {
   const auto rounded = fmt::format("{:.{}e}", std::abs(value), digits - 1);
   return std::stoi(rounded.substr(rounded.find('e') + 1));
+}
+
+/// Whether a number with this first digit is written with an exponent.
+bool has_exponent(int power) {
+  return power < -4 || power >= 6;
 }
 
 } // namespace
@@ -75,7 +90,7 @@ std::string digits_text(double value, int digits) {
   if (value == 0.0)
     return "0";
   const int power = first_digit(value, digits);
-  if (power < -4 || power >= 6)
+  if (has_exponent(power))
     return fmt::format("{:.{}g}", value, digits);
   const double step = std::pow(10.0, power - digits + 1);
   const double rounded = std::round(value / step) * step;
@@ -97,7 +112,8 @@ std::string quantity_text(double value, const std::string& unit, int digits) {
 std::string uncertain_text(double value, double uncertainty,
                            const std::string& unit) {
   constexpr int most_digits = 4;
-  const ShownUnit shown = suited_unit(value, unit);
+  const ShownUnit shown =
+      suited_unit(std::fmax(std::abs(value), uncertainty), unit);
   const double number = value / shown.size;
   const double half = uncertainty / shown.size;
   if (!std::isfinite(number) || !std::isfinite(half) || !(half > 0.0))
@@ -109,12 +125,15 @@ std::string uncertain_text(double value, double uncertainty,
   const double step = std::pow(10.0, last);
   if (half < 0.5 * step)
     return quantity_text(value, unit, most_digits);
-  if (last < -6 || last > 6)
-    return fmt::format("{:.3g} ± {:.2g}{}", number, half, shown.name);
+  const int power = first_digit(std::fmax(std::abs(number), half), most_digits);
+  const int common = has_exponent(power) ? power : 0;
   const auto text = [&](double one) {
-    return with_decimals(std::round(one / step) * step, std::max(0, -last));
+    return with_decimals(std::round(one / step) * step / std::pow(10.0, common),
+                         std::max(0, common - last));
   };
-  return text(number) + " ± " + text(half) + shown.name;
+  const std::string both = text(number) + " ± " + text(half);
+  return (common == 0 ? both : fmt::format("({})e{:+03d}", both, common)) +
+         shown.name;
 }
 
 std::string interval_text(double value, double low, double high,

@@ -24,16 +24,17 @@ std::string shown_text(Shown number, std::string_view format);
 /// is not finite.
 std::string digits_text(double value, int digits);
 
-/// Returns a number with its unit, "5.98 nm", "12 100 µm²", "1.25e+06 1/m" or
-/// "3.1" for the unit "1"; m, m^2, N and Pa have a prefix that suits the
-/// number, and "%" is that of a share of 1. "–" if it is not finite.
+/// Returns a number with its unit, "5.98 nm", "12 100 µm²", "1.25e+06 1/m",
+/// "2.46e-18 m³/s" or "3.1" for the unit "1"; m, m^2, N and Pa have a prefix
+/// that suits the number, and "%" is that of a share of 1. "–" if it is not
+/// finite.
 std::string quantity_text(double value, const std::string& unit,
                           int digits = 4);
 
 /// Returns "5.6 ± 1.2 nm", or "12.5 ± 2.8 %" for the unit "%" and shares of 1:
 /// both with the digits that two digits of the uncertainty justify, at most
-/// four of the number; as quantity_text() without an uncertainty, or one beyond
-/// these digits.
+/// four of the number, and with one prefix or exponent, "(0.8 ± 1.3)e-25 m³";
+/// as quantity_text() without an uncertainty, or one beyond these digits.
 std::string uncertain_text(double value, double uncertainty,
                            const std::string& unit);
 

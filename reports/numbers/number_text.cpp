@@ -36,12 +36,7 @@ std::string number_text(const Estimate& estimate) {
     return fmt::format("{:.4g}", estimate.value);
   if (estimate.half_width < 1e-4 * size) // too small to be worth printing
     return fmt::format("{:.4g} ± {:.0e}", estimate.value, estimate.half_width);
-  if (size < 1e-3 || size >= 1e5)
-    return fmt::format("{:.3g} ± {:.1g}", estimate.value, estimate.half_width);
-  const int decimals =
-      std::min(decimals_for(estimate.half_width), decimals_for(size * 1e-3));
-  return fixed(estimate.value, "", decimals) + " ± " +
-         fixed(estimate.half_width, "", decimals);
+  return uncertain_text(estimate.value, estimate.half_width, "1");
 }
 
 std::string percent_text(const Estimate& estimate) {

@@ -21,7 +21,7 @@ TEST(ShownNumber, QuantitiesHavePrefixesAndNoExponents) {
   EXPECT_EQ(quantity_text(0.0, "Pa"), "0 Pa");
   EXPECT_EQ(quantity_text(1.25e8, "1/m"), "1.25e+08 1/m");
   EXPECT_EQ(quantity_text(123456.0, "1", 7), "123 456");
-  EXPECT_EQ(quantity_text(2.46e-18, "m^3/s", 3), "2.46e-18 m^3/s");
+  EXPECT_EQ(quantity_text(2.46e-18, "m^3/s", 3), "2.46e-18 m³/s");
   EXPECT_EQ(quantity_text(std::numeric_limits<double>::infinity(), "m"), "–");
 }
 
@@ -41,9 +41,24 @@ TEST(ShownNumber, AnUncertaintyDecidesOnTheDigits) {
   EXPECT_EQ(uncertain_text(4.83e-9, 5e-9, "m"), "4.8 ± 5.0 nm");
   EXPECT_EQ(uncertain_text(-30.77e6, 2.44e6, "Pa"), "-30.8 ± 2.4 MPa");
   EXPECT_EQ(uncertain_text(98.321e-2, 1e-9, "%"), "98.32 %");
+  EXPECT_EQ(uncertain_text(0.0123, 0.00456, "1"), "0.0123 ± 0.0046");
+  EXPECT_EQ(uncertain_text(123456.0, 1200.0, "1"), "123 500 ± 1200");
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(uncertain_text(2e6, unknown, "Pa"), "2 MPa");
   EXPECT_EQ(uncertain_text(unknown, 1.0, "Pa"), "–");
+}
+
+// Two exponents, or a prefix that suits only the smaller number, hide which of
+// both is larger.
+TEST(ShownNumber, AnUncertaintyHasTheExponentOfItsNumber) {
+  EXPECT_EQ(uncertain_text(7.67e-26, 1.3e-25, "m^3"), "(0.8 ± 1.3)e-25 m³");
+  EXPECT_EQ(uncertain_text(5.39e-24, 2e-24, "m^3"), "(5.4 ± 2.0)e-24 m³");
+  EXPECT_EQ(uncertain_text(-1.234e-18, 1.2e-20, "m^3/s"),
+            "(-1.234 ± 0.012)e-18 m³/s");
+  EXPECT_EQ(uncertain_text(9.96e-7, 3e-7, "m^2 K/W"),
+            "(10.0 ± 3.0)e-07 m² K/W");
+  EXPECT_EQ(uncertain_text(1.25e8, 3e5, "1/m"), "(1.250 ± 0.003)e+08 1/m");
+  EXPECT_EQ(uncertain_text(-500.0, 1300.0, "Pa"), "-0.5 ± 1.3 kPa");
 }
 
 } // namespace
