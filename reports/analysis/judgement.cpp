@@ -66,7 +66,7 @@ Judgement compare_with_published(const cases::ReferenceValue& reference,
       return {Reproduction::input, "set in the case: " + reference.input};
     if (is_wide(reference, interval))
       return {Reproduction::inconclusive,
-              fmt::format("inconclusive: our interval, +- {:.2g}, is so wide "
+              fmt::format("inconclusive: our interval, ± {:.2g}, is so wide "
                           "that many other values would agree",
                           interval)};
     return {Reproduction::reproduced, "reproduced"};

@@ -63,7 +63,7 @@ std::string value_text(const Estimate& estimate) {
     return undetermined_word;
   std::string text = fmt::format("{:.4g}", estimate.value);
   if (estimate.has_interval())
-    text += fmt::format(" +- {:.2g}", estimate.half_width);
+    text += fmt::format(" ± {:.2g}", estimate.half_width);
   return text;
 }
 
@@ -189,13 +189,9 @@ std::string published_text(const cases::ReferenceValue& reference) {
 
 std::string published_line(const PublishedValue& published) {
   const cases::ReferenceValue& reference = published.reference;
-  std::string text = published_text(reference);
-  const std::string sign = "±"; // as the lines on expectations
-  if (const std::size_t at = text.find(sign); at != text.npos)
-    text.replace(at, sign.size(), "+-");
   std::string line = fmt::format(
       "{:<9}  {:<20} {}", reference.uncertainty > 0.0 ? "paper" : "exact",
-      reference.quantity, text);
+      reference.quantity, published_text(reference));
   for (std::size_t i = 0; i < published.ours.size(); ++i)
     line +=
         (i == 0 ? ": " : ", ") + ours_text(published.ours[i], reference.unit);

@@ -27,7 +27,7 @@ const char* outcome_word(Outcome outcome);
 /// Returns "0.35..0.45", "<= 1e-04" or ">= 2"; an infinite end is omitted.
 std::string band_text(double low, double high);
 
-/// Formats "ok      fem       gamma_slope   0.412 +- 0.021 in 0.35..0.45".
+/// Formats "ok      fem       gamma_slope   0.412 ± 0.021 in 0.35..0.45".
 std::string check_line(const Verdict& verdict);
 
 /// Explains why nothing was checked and what to do about it; "" if at least one
@@ -45,7 +45,7 @@ std::string published_text(const cases::ReferenceValue& reference);
 
 /// Formats a published value and the computed ones as
 ///
-///     paper    gamma_slope          0.4 +- 0.05: fem 0.446, theory 0.448
+///     paper    gamma_slope          0.4 ± 0.05: fem 0.446, theory 0.448
 ///
 /// or as "exact    ..." if the published value has no uncertainty.
 std::string published_line(const PublishedValue& published);

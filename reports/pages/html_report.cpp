@@ -178,20 +178,12 @@ std::string heading_of(std::span<const Column> columns) {
                        : fmt::format("The methods: {}", fmt::join(names, ", "));
 }
 
-// Formats a published number and its unit, with "±", for a page.
-std::string typeset_published(const cases::ReferenceValue& reference) {
-  std::string text = published_text(reference);
-  if (const std::size_t at = text.find("+-"); at != std::string::npos)
-    text.replace(at, 2, "±");
-  return text;
-}
-
 Json published_rows(const Summary& summary) {
   Json rows = Json::array();
   for (const PublishedValue& published : summary.published) {
     Json row = {{"quantity", published.reference.quantity},
                 {"source", published.reference.source},
-                {"value", typeset_published(published.reference)},
+                {"value", published_text(published.reference)},
                 {"is_exact", !(published.reference.uncertainty > 0.0)},
                 {"cells", Json::array()}};
     for (const MethodSummary& method : summary.methods)

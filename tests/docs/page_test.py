@@ -115,7 +115,7 @@ def check_pictures(page, source, name, folder):
 
 
 def check_itself():
-    assert is_same("ok  fem  0.50 +- 0.02 ...", "ok fem 0.501 +- 0.02 in 0.4..0.6")
+    assert is_same("ok  fem  0.50 ± 0.02 ...", "ok fem 0.501 ± 0.02 in 0.4..0.6")
     assert not is_same("ok fem 0.50", "ok fem 0.52") and not is_same("ok fem", "ok fem 1")
     assert not is_same("ok fem", "ok md")
     assert is_same("4/12 fem step 1", "  5/12 fem step 1") and not is_same("4/12 fem", "4/12 md")

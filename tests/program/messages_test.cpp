@@ -118,7 +118,7 @@ TEST_F(Messages, CheckPrintsPublishedValuesWithoutVerdicts) {
   const Ended checked = run("check result");
 
   EXPECT_EQ(checked.exit_code, 0) << checked.output;
-  EXPECT_TRUE(says(checked, "gamma_curve          -70 +- 0.5: theory 0.42\n"))
+  EXPECT_TRUE(says(checked, "gamma_curve          -70 ± 0.5: theory 0.42\n"))
       << checked.output;
   EXPECT_FALSE(says(checked, "another")) << checked.output;
 }

@@ -45,7 +45,7 @@ TEST(Judgement, RoundsTheDistanceUp) {
 TEST(Judgement, IsInconclusiveWithinAWideInterval) {
   EXPECT_EQ(words(printed, ours(0.5, 0.079)), "reproduced");
   EXPECT_EQ(words(printed, ours(0.5, 0.081)),
-            "inconclusive: our interval, +- 0.081, is so wide that many other "
+            "inconclusive: our interval, ± 0.081, is so wide that many other "
             "values would agree");
   EXPECT_EQ(compare_with_published(printed, ours(0.4, 0.3)).reproduction,
             Reproduction::inconclusive);

@@ -80,14 +80,14 @@ OurValue ours(const std::string& method, double number) {
 TEST(PublishedLine, HasTheDocumentedFormat) {
   EXPECT_EQ(published_line({{"gamma_slope", 0.4, "1", 0.05, "A"},
                             {ours("fem", 0.4461), ours("theory", 0.448)}}),
-            "paper      gamma_slope          0.4 +- 0.05: fem 0.4461, theory "
+            "paper      gamma_slope          0.4 ± 0.05: fem 0.4461, theory "
             "0.448");
   EXPECT_EQ(published_line({{"approach", 2.5e-7, "m", 0.0, "A"},
                             {ours("fem", not_a_number)}}),
             "exact      approach             250 nm: fem not determined (no "
             "row)");
   EXPECT_EQ(published_line({{"height", 14e-9, "m", 5e-10, "A"}, {}}),
-            "paper      height               14.00 +- 0.50 nm: not computed");
+            "paper      height               14.00 ± 0.50 nm: not computed");
 }
 
 // A program finds the verdict of every method in the words of the page, the

@@ -55,7 +55,7 @@ TEST(Judge, TakesTheEndsOfTheBandAndNothingBeyond) {
   EXPECT_EQ(verdict_of(0.5, -infinity, 0.6).outcome, Outcome::ok);
 }
 
-// What the interval of +- 0.02 leaves open is undecided, on either side of
+// What the interval of ± 0.02 leaves open is undecided, on either side of
 // either end of 0.35..0.45.
 TEST(Judge, LeavesUndecidedWhatReachesOverAnEnd) {
   EXPECT_EQ(verdict_of(0.431, 0.35, 0.45).outcome, Outcome::undecided);
@@ -79,7 +79,7 @@ TEST(Judge, PassesTheUndecidedOnlyWhereTheCaseDoes) {
   EXPECT_FALSE(summary.all_ok());
   EXPECT_NE(junit_xml({&summary, 1}).find("failures=\"1\""), std::string::npos);
   EXPECT_EQ(check_line(summary.verdicts[0]),
-            "undecided  fem            gamma_slope          0.44 +- 0.02 in "
+            "undecided  fem            gamma_slope          0.44 ± 0.02 in "
             "0.35..0.45; its interval crosses a limit of the band: not passed");
 
   summary.verdicts = {verdict_on(lenient, 0.44)};
@@ -145,10 +145,10 @@ TEST(Judge, CountsMissingNumbersWithTheReason) {
 
 TEST(CheckLine, HasTheDocumentedFormat) {
   EXPECT_EQ(check_line(verdict_of(0.4123, 0.35, 0.45)),
-            "ok         fem            gamma_slope          0.4123 +- 0.02 in "
+            "ok         fem            gamma_slope          0.4123 ± 0.02 in "
             "0.35..0.45");
   EXPECT_EQ(check_line(verdict_of(0.5, -infinity, 0.45)),
-            "failed     fem            gamma_slope          0.5 +- 0.02 <= "
+            "failed     fem            gamma_slope          0.5 ± 0.02 <= "
             "0.45");
 }
 
