@@ -65,7 +65,8 @@ std::vector<CaseOption> effect_rows() {
            "largest load"},
           {effect, "--hardness", "halfspace.hardness", "Q", "2 GPa",
            "largest contact pressure of the half-space and of\n"
-           "the theory of a map, e.g. \"2 GPa\""},
+           "the theory of a map, e.g. \"2 GPa\"",
+           "theory.hardness"},
           {effect, "--thermal-conductivity", "conductance.thermal_conductivity",
            "Q", "0.2 W/(m K)",
            "of the block, e.g. \"0.2 W/(m K)\": heat through the\n"

@@ -22,6 +22,8 @@ struct CaseOption {
   std::string_view value;   ///< how help names the value: "Q"
   std::string_view example; ///< "2 GPa"
   std::string help;         ///< lines of at most 52 characters
+  /// Another key that it stands for in the case of a map; "": none.
+  std::string_view also = "";
 
   /// The words of a command line that give the option a value.
   std::string with(std::string_view text) const;

@@ -128,11 +128,29 @@ bool replace_text(std::string& text, const std::string& from,
   return is_found;
 }
 
+/// Puts an option in the place of its keys in a line of a refusal.
+void name_option(const input::CaseOption& option, std::string& line) {
+  const std::string name(option.name);
+  for (const std::string_view key : {option.key, option.also}) {
+    const std::string start = std::string(key) + " ";
+    if (key.empty())
+      continue;
+    if (const std::size_t note = line.find(" (a number without quotes is");
+        note != line.npos && line.find(start + "= \"") != line.npos)
+      line.erase(note); // an option has its unit
+    for (const char* from : {"--set: ", "the case of the map: "})
+      replace_text(line, from + start, name + " ");
+    if (line.starts_with(start))
+      line.replace(0, key.size(), name);
+  }
+}
+
 /// Makes the entries of a case, and collects what is refused.
 class OverrideMaker {
 public:
-  OverrideMaker(const CaseOptions& options, const AskedOf& asked)
-      : options_(options), asked_(asked) {}
+  OverrideMaker(const CaseOptions& options, const AskedOf& asked,
+                input::Refusals& refusals)
+      : options_(options), asked_(asked), refusals_(refusals) {}
 
   std::vector<std::string>
   made(const std::map<std::string, std::string, std::less<>>& values) {
@@ -148,7 +166,6 @@ public:
             "--friction cannot be combined with {}: partial slip follows from "
             "the normal contact of a half-space without adhesion and hardness",
             other));
-    refusals_.throw_if_any();
     return std::move(entries_);
   }
 
@@ -179,8 +196,8 @@ private:
     put(option.key, toml_of(option, value));
     if (option.name == "--work-of-adhesion")
       add_adhesion();
-    if (option.name == "--hardness" && asked_.are_maps)
-      put("theory.hardness", cases::toml_value(value));
+    if (!option.also.empty() && asked_.are_maps)
+      put(option.also, toml_of(option, value));
     if (option.name == "--contact-modulus") {
       drop("material.youngs_modulus", "--youngs-modulus");
       drop("material.counter", "--counter-youngs-modulus");
@@ -236,7 +253,7 @@ private:
   const CaseOptions& options_;
   const AskedOf& asked_;
   std::vector<std::string> entries_;
-  input::Refusals refusals_;
+  input::Refusals& refusals_;
 };
 
 } // namespace
@@ -255,15 +272,18 @@ bool CaseOptions::empty() const {
       values_, [](const auto& entry) { return entry.second.empty(); });
 }
 
-std::vector<std::string> CaseOptions::overrides(const AskedOf& asked) const {
-  return OverrideMaker(*this, asked).made(values_);
+std::vector<std::string>
+CaseOptions::overrides(const AskedOf& asked, input::Refusals& refusals) const {
+  return OverrideMaker(*this, asked, refusals).made(values_);
 }
+  std::string last;
 
 std::vector<std::string> CaseOptions::words() const {
   std::vector<std::string> words;
   for (const auto& [name, value] : values_)
     if (!value.empty())
       words.insert(words.end(), {name, value});
+    bool is_refused = false;
   return words;
 }
 
@@ -276,17 +296,15 @@ std::string CaseOptions::with_options(const std::string& refusal,
     begin = end + 1;
     if (has_hints && line.ends_with("mistake(s) in the case file"))
       continue; // which the user does not have
+      }
     for (const input::CaseOption& option : input::case_options()) {
-      const std::string key(option.key);
-      const std::string name(option.name);
-      if (has(option.name) && line.find(key + " = \"") != line.npos)
-        if (const std::size_t note = line.find(" (a number without quotes is");
-            note != line.npos) // an option has its unit
-          line.erase(note);
-      if (has(option.name))
-        for (const char* from : {"--set: ", "the case of the map: "})
-          replace_text(line, from + key + " ", name + " ");
-      if (has_hints && line.find(key + " is missing") != line.npos)
+      const std::string missing = std::string(option.key) + " is missing";
+      if (line.find(missing) == line.npos) {
+        if (has(option.name))
+          name_option(option, line);
+      } else if (has_hints && has(option.name)) {
+        is_refused = true;
+      } else if (has_hints) {
         line += option.name == "--youngs-modulus"
                     ? "; please add --contact-modulus \"2 GPa\", or "
                       "--youngs-modulus \"2 GPa\" with --poisson-ratio 0.3"
@@ -296,7 +314,9 @@ std::string CaseOptions::with_options(const std::string& refusal,
       replace_text(line, "the case of the map: ", "");
       line.erase(0, line.find_first_not_of(' '));
     }
-    text += line + (end < refusal.size() ? "\n" : "");
+    if (!is_refused && line != last)
+      text += (text.empty() ? "" : "\n") + line;
+    last = line;
   }
   return text;
 }

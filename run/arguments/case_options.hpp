@@ -4,6 +4,7 @@
 // case (input/case_options.hpp), as entries of the case.
 
 #include "input/case_options.hpp"
+#include "input/refusals.hpp"
 
 #include <map>
 #include <optional>
@@ -35,16 +36,19 @@ public:
 
   /// Returns the entries "key.path=value" of a case that the options stand for.
   /// Where a case has another key for the same thing, it is removed.
-  /// @throws input::InputError  an unknown fluid, a range of pressures without
-  ///                            two ends, or --friction with adhesion or
-  ///                            hardness; all of these at once
-  std::vector<std::string> overrides(const AskedOf& asked) const;
+  /// @param refusals  of options without an entry: an unknown fluid, a range of
+  ///                  pressures without two ends, a word that is no number; and
+  ///                  --friction with adhesion or hardness
+  std::vector<std::string> overrides(const AskedOf& asked,
+                                     input::Refusals& refusals) const;
 
   /// The words of a command line that give the same options.
   std::vector<std::string> words() const;
 
   /// Names the option in the place of the key in each line of a refusal by the
-  /// reader of cases, if the option was given.
+  /// reader of cases, if the option was given. A mistake that the line before
+  /// states is left out, and so is that the key of such an option is missing:
+  /// it was refused.
   /// @param has_hints  add to what is missing the option that gives it
   std::string with_options(const std::string& refusal, bool has_hints) const;
 

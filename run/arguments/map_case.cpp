@@ -211,8 +211,10 @@ std::string map_case_text(const fs::path& file,
 mechanics::SurfaceSpec map_surface(const std::string& file,
                                    const CaseOptions& options,
                                    const std::vector<std::string>& overrides) {
-  std::vector<std::string> entries =
-      options.overrides({.are_maps = true, .group = input::OptionGroup::map});
+  input::Refusals refusals;
+  std::vector<std::string> entries = options.overrides(
+      {.are_maps = true, .group = input::OptionGroup::map}, refusals);
+  refusals.throw_if_any();
   entries.emplace_back("material.contact_modulus=1.0");
   std::vector<std::string> of_surface;
   for (const std::string& entry : overrides)
@@ -224,8 +226,10 @@ mechanics::SurfaceSpec map_surface(const std::string& file,
 }
 
 std::optional<double> contact_modulus_of(const CaseOptions& options) {
-  const std::vector<std::string> entries =
-      options.overrides({.are_maps = true, .group = input::OptionGroup::body});
+  input::Refusals refusals;
+  const std::vector<std::string> entries = options.overrides(
+      {.are_maps = true, .group = input::OptionGroup::body}, refusals);
+  refusals.throw_if_any();
   if (entries.empty())
     return std::nullopt;
   try {

@@ -65,21 +65,6 @@ bool has_loads(const std::vector<std::string>& entries) {
   });
 }
 
-/// The entries that stand for the options. A refused option does not hide what
-/// else is refused.
-std::vector<std::string> entries_of(const CaseOptions& options, AskedOf asked,
-                                    input::Refusals& refusals) {
-  using enum input::OptionGroup;
-  std::vector<std::string> entries;
-  for (const input::OptionGroup group : {map, body, load, effect}) {
-    asked.group = group;
-    refusals.of([&] {
-      std::ranges::move(options.overrides(asked), std::back_inserter(entries));
-    });
-  }
-  return entries;
-}
-
 void throw_if_any(const input::Refusals& refusals, const CaseOptions& options,
                   bool has_hints) {
   if (!refusals.empty())
@@ -100,8 +85,8 @@ entries_of_maps(NamedMaps& maps, const std::vector<std::string>& overrides,
                entry == "surface.edges=\"free\"";
       });
   input::Refusals refusals;
-  std::vector<std::string> entries = entries_of(
-      options, {.are_maps = true, .has_free_edges = has_free_edges}, refusals);
+  std::vector<std::string> entries = options.overrides(
+      {.are_maps = true, .has_free_edges = has_free_edges}, refusals);
   cases::Case first;
   std::pair<double, double> slopes;
   std::optional<mechanics::SurfaceSpec> surface;
@@ -152,7 +137,7 @@ std::vector<std::string>
 with_overrides_of(const CaseOptions& options,
                   const std::vector<std::string>& overrides,
                   input::Refusals& refusals) {
-  std::vector<std::string> all = entries_of(options, {}, refusals);
+  std::vector<std::string> all = options.overrides({}, refusals);
   all.insert(all.end(), overrides.begin(), overrides.end());
   return all;
 }

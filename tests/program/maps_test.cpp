@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -246,6 +247,14 @@ TEST_F(Maps, PartsJoinToTheUndividedRun) {
   }
 
   const Ended merged = run("merge parts/maps");
+  for (const std::string words : {"--hardness 3 --contact-modulus 2GPa",
+                                  "--hardness '3 m' --contact-modulus 2GPa",
+                                  "--poisson-ratio .3m --youngs-modulus 2GPa",
+                                  "--channel x --contact-modulus 2GPa"}) {
+    const Ended once = run("run maps/1.txt " + words);
+    expect_refusal(once, words.substr(0, words.find(' ')));
+    EXPECT_EQ(std::ranges::count(once.output, '\n'), 1) << once.output;
+  }
 
   EXPECT_EQ(merged.exit_code, 0) << merged.output;
   for (const char* name : {"sweep.csv", "sweep.json", "maps.toml"})
