@@ -31,7 +31,8 @@ reports::Summary summary_of(const results::Result& result) {
   return reports::summarize(result, contact_case);
 }
 
-reports::Summary write_outputs(const fs::path& folder, bool has_pdf) {
+reports::Summary write_outputs(const fs::path& folder, bool has_pdf,
+                               bool has_run) {
   const results::Result result =
       results::read_result(folder, results::MapsInFile::large);
   const cases::Case contact_case = reports::case_of(result);
@@ -40,7 +41,7 @@ reports::Summary write_outputs(const fs::path& folder, bool has_pdf) {
   write_file_atomically(folder / "times.csv", results::times_csv(result));
   print_undrawn(reports::write_report({&entry, 1}, folder, "gnuplot",
                                       {.has_pdf = has_pdf}));
-  fmt::print("{}", reports::warning_lines(result, contact_case));
+  fmt::print("{}", reports::warning_lines(result, contact_case, has_run));
   return entry.summary;
 }
 

@@ -21,8 +21,9 @@ reports::Summary summary_of(const results::Result& result);
 /// Writes all output files besides result.h5, tables, summary and report, and
 /// prints the warnings.
 /// @param has_pdf  also print the report to report.pdf
+/// @param has_run  this process has run the case, and told warnings before
 reports::Summary write_outputs(const std::filesystem::path& folder,
-                               bool has_pdf = false);
+                               bool has_pdf, bool has_run);
 
 /// Prints which figures of a report could not be drawn, as errors.
 void print_undrawn(const std::vector<std::string>& figures);

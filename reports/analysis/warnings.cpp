@@ -222,7 +222,7 @@ void add_map_faults(const Result& result, std::vector<Warning>& warnings) {
           {"map_faults", "The map is not only roughness: " + fact + ".",
            "Contact begins at the highest points: area, spots and gap are "
            "partly those of such points and not of the roughness.",
-           first_words(fact, 20)});
+           first_words(fact, 20), true});
 }
 
 void add_window(const Result& result, std::vector<Warning>& warnings) {
@@ -258,7 +258,8 @@ void add_locking(const Result& result, const cases::Case& contact_case,
          "The curves of this method are not those of the "
          "material; do not judge other methods by them.",
          "Finite elements of this material lock: do not judge other methods by "
-         "them."});
+         "them.",
+         true});
 }
 
 void add_omissions(const Result& result, const cases::Case& contact_case,
@@ -268,7 +269,7 @@ void add_omissions(const Result& result, const cases::Case& contact_case,
     warnings.push_back({"omitted", text + ".",
                         "What the case asks is not in this result, or not for "
                         "the methods with fields.",
-                        first_words(text, 20)});
+                        first_words(text, 20), true});
 }
 
 void add_interpolation(const Result& result, const cases::Case& contact_case,
@@ -280,7 +281,8 @@ void add_interpolation(const Result& result, const cases::Case& contact_case,
          "Contact areas and pressures at the edge of the end "
          "are those of another surface.",
          "The surface oscillates at the edge of the end: contact there is that "
-         "of another surface."});
+         "of another surface.",
+         true});
 }
 
 /// Warns if the surface around the end of a punch touches in a converged step.
@@ -372,11 +374,12 @@ std::vector<Warning> warnings_of(const Result& result,
   return warnings;
 }
 
-std::string warning_lines(const Result& result,
-                          const cases::Case& contact_case) {
+std::string warning_lines(const Result& result, const cases::Case& contact_case,
+                          bool has_run) {
   std::string lines;
   for (const Warning& warning : warnings_of(result, contact_case))
-    lines += fmt::format("warning: {}: {}\n", result.case_name, warning.line);
+    if (!has_run || !warning.is_known_before)
+      lines += fmt::format("warning: {}: {}\n", result.case_name, warning.line);
   return lines;
 }
 

@@ -27,6 +27,9 @@ struct Warning {
   /// What is wrong and what helps, in at most 20 words: what a page and the
   /// terminal show first.
   std::string line;
+  /// Whether it follows from case and map alone: a run tells it before its
+  /// first step.
+  bool is_known_before = false;
 };
 
 /// The limits are motivated in docs/numerics/surfaces.md, "What a report warns
@@ -54,8 +57,10 @@ std::vector<Warning> warnings_of(const results::Result& result,
                                  const cases::Case& contact_case);
 
 /// Returns the same for a terminal: "warning: case: line", one line each.
+/// @param has_run  without those that the run has told
 std::string warning_lines(const results::Result& result,
-                          const cases::Case& contact_case);
+                          const cases::Case& contact_case,
+                          bool has_run = false);
 
 /// Returns what summary_json() writes, with these warnings.
 nlohmann::ordered_json summary_data(const Summary& summary,

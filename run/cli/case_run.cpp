@@ -28,7 +28,7 @@ CaseEnd run_into_folder(const cases::Case& contact_case,
     throw;
   }
   if (!report.is_omitted)
-    ended.summary = run::write_outputs(output.place(), report.has_pdf);
+    ended.summary = run::write_outputs(output.place(), report.has_pdf, true);
   if (!ended.outcome.is_interrupted)
     output.replace();
   ended.folder = output.place();

@@ -80,7 +80,7 @@ run::ExitCode exit_of_steps(const fs::path& folder) {
 run::ExitCode merge_case(const fs::path& folder, bool no_report, bool has_pdf) {
   run::merge_realizations(folder);
   if (!no_report)
-    return print_findings(run::write_outputs(folder, has_pdf), folder);
+    return print_findings(run::write_outputs(folder, has_pdf, false), folder);
   return exit_of_steps(folder);
 }
 

@@ -76,9 +76,10 @@ run::ExitCode run_to_target(const run::ReadCase& read,
   target.record(options.folder);
   return command.no_report
              ? end
-             : worse(end, print_findings(run::write_outputs(options.folder,
-                                                            command.has_pdf),
-                                         options.folder));
+             : worse(end,
+                     print_findings(run::write_outputs(options.folder,
+                                                       command.has_pdf, true),
+                                    options.folder));
 }
 
 /// A folder of maps is read as a whole, so that nothing is written into it.

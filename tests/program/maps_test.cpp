@@ -266,6 +266,28 @@ TEST_F(Maps, PartsJoinToTheUndividedRun) {
       run("run parts/maps/maps.toml --no-report --out parts/maps");
   EXPECT_EQ(again.exit_code, 0) << again.output;
 }
+// What is known of a map before it is pressed is said then, and once.
+TEST_F(Maps, ASpikeIsToldOnce) {
+  std::string text = "# Channel: Z\n# Width: 4 um\n# Height: 4 um\n"
+                     "# Value units: m\n";
+  for (int j = 0; j < 32; ++j)
+    for (int i = 0; i < 32; ++i)
+      text += fmt::format("{:.3f}e-9{}",
+                          i == 9 && j == 9
+                              ? 900.0
+                              : 9.0 * std::sin(0.4 * i) * std::cos(0.6 * j),
+                          i == 31 ? "\n" : " ");
+  write("spike.txt", text);
+
+  const std::string output =
+      press("spike.txt --pressure '1 MPa' --out o").output;
+
+  const std::size_t told = output.find("1 spike of up to ");
+  EXPECT_LT(told, output.find(" step ")) << output;
+  EXPECT_EQ(output.find("1 spike of up to ", told + 1), std::string::npos)
+      << output;
+}
+
 
 TEST_F(Maps, ArePlannedForSlurmAndRunInTheSameFolder) {
   const Ended planned =
