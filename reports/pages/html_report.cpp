@@ -305,6 +305,14 @@ Json certified_rows(const ReportEntry& entry) {
   return has_any ? rows : Json::array();
 }
 
+/// What tables of a single realisation begin with; "" if there is one alone.
+std::string realization_words(const results::Result& result) {
+  std::size_t count = 0;
+  for (const results::MethodRecord& method : result.methods)
+    count = std::max(count, method.realizations.size());
+  return count > 1 ? fmt::format("Realisation 0 of {}. ", count) : "";
+}
+
 } // namespace
 
 Json entry_page(const ReportEntry& entry, Json page,
@@ -320,6 +328,7 @@ Json entry_page(const ReportEntry& entry, Json page,
          {"area_fraction", "area [m^2]", "mean_gap [m]"})
       if (row[number]["error"] > 0.0)
         row[number]["half_width_95"] = row[number]["error"];
+  page["of_one"] = realization_words(*entry.result);
   set_notices(page, entry);
   page["banner_class"] = banner_class(summary);
   page["banner"] = banner_words(summary);
