@@ -33,6 +33,13 @@ struct NumberAtLoad {
   const char* infinite = nullptr;
 };
 
+/// A column by which a study answers at a load.
+struct AnswerColumn {
+  const results::CurveColumn* column;
+  std::string words;     ///< "Leak rate of water at 100 kPa along x"
+  std::string zero = {}; ///< what a surface with 0 is: "tight"; "": none has 0
+};
+
 struct Figure;
 struct FigureData;
 struct MethodSummary;
@@ -49,6 +56,10 @@ struct StudyPages {
   std::vector<Figure> (*figures)(const FigureData& data) = nullptr;
   /// The answer in a sentence with its load and units; "" if there is none.
   std::string (*answer)(const ReportEntry& entry) = nullptr;
+  /// The columns by which it answers for several samples, which tables have
+  /// first; they are without numbers if the case does not ask.
+  std::vector<AnswerColumn> (*answer_columns)(const cases::Case& contact_case) =
+      nullptr;
   /// Sentences of the text on methods, each with a blank before it; "" if the
   /// case does not ask.
   std::string (*methods_text)(const cases::Case& contact_case) = nullptr;

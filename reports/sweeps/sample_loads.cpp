@@ -9,10 +9,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <map>
+#include <tuple>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -44,18 +47,31 @@ std::string method_of_samples(const SweptResults& results) {
   return first;
 }
 
+/// A pressure that is roundoff of the largest one of its curve is 0.
 double state_of(const SweptCurve& curve, const CurvePoint& row, bool is_gap) {
-  return is_gap ? row.mean_gap / curve.rms_height : row.nominal_pressure;
+  constexpr double roundoff = 1e-7;
+  if (is_gap)
+    return row.mean_gap / curve.rms_height;
+  const double largest = std::ranges::max(curve.rows, {}, [](const auto& one) {
+                           return std::abs(one.nominal_pressure);
+                         }).nominal_pressure;
+  return std::abs(row.nominal_pressure) > roundoff * std::abs(largest)
+             ? row.nominal_pressure
+             : 0.0;
 }
 
 /// The rows of each step, one for each curve; null: its step has not converged.
 using RowsOfSteps = std::map<int, std::vector<const CurvePoint*>>;
 
-RowsOfSteps rows_of_steps(const std::vector<const SweptCurve*>& curves) {
+/// @param is_gap  false: without rows of faces that a tension has parted, which
+///                have a gap and no state at that tension
+RowsOfSteps rows_of_steps(const std::vector<const SweptCurve*>& curves,
+                          bool is_gap) {
   RowsOfSteps rows;
   for (std::size_t i = 0; i < curves.size(); ++i)
     for (const CurvePoint& row : curves[i]->rows)
-      rows.try_emplace(row.step, curves.size()).first->second[i] = &row;
+      if (is_gap || row.nominal_pressure != 0.0 || row.area_fraction > 0.0)
+        rows.try_emplace(row.step, curves.size()).first->second[i] = &row;
   return rows;
 }
 
@@ -79,15 +95,19 @@ bool are_same_loads(const std::vector<const SweptCurve*>& curves,
   return true;
 }
 
-/// What the curves share; without a name if they share nothing.
-SampleColumn shared_state(const std::vector<const SweptCurve*>& curves,
-                          const RowsOfSteps& steps) {
-  for (const bool is_gap : {false, true})
-    if (std::ranges::all_of(steps, [&](const auto& step) {
+/// The steps at which the curves share their states, and what that is; without
+/// a name if they share nothing.
+std::pair<SampleColumn, RowsOfSteps>
+shared_states(const std::vector<const SweptCurve*>& curves) {
+  for (const bool is_gap : {false, true}) {
+    RowsOfSteps steps = rows_of_steps(curves, is_gap);
+    if (!steps.empty() && std::ranges::all_of(steps, [&](const auto& step) {
           return are_same_loads(curves, step.second, is_gap);
         }))
-      return is_gap ? SampleColumn{"mean_gap_over_rms_height", "1"}
-                    : SampleColumn{"nominal_pressure", "Pa"};
+      return {is_gap ? SampleColumn{"mean_gap_over_rms_height", "1"}
+                     : SampleColumn{"nominal_pressure", "Pa"},
+              std::move(steps)};
+  }
   return {};
 }
 
@@ -104,21 +124,26 @@ void evaluate(SampleValues& column) {
     column.outliers.push_back(places[i]);
 }
 
-/// The columns of studies that a row has, in the order of all columns; those of
-/// adhesion are in curves.csv of each sample.
+/// The columns of studies that a row has: those that answer, then the others
+/// in the order of all columns; others are in curves.csv of each sample.
 std::vector<const results::CurveColumn*>
-studied_columns(const std::vector<const SweptCurve*>& curves) {
+studied_columns(const std::vector<const SweptCurve*>& curves,
+                const std::vector<AnswerColumn>& answers) {
+  static constexpr std::array<std::string_view, 5> left_out{
+      "", "fit", "adhesion", "certificate", "free edges"};
   std::vector<const results::CurveColumn*> found;
   for (const results::CurveColumn& column : results::curve_columns())
-    if (!column.owner().empty() && column.owner() != "fit" &&
-        column.owner() != "adhesion" && !column.is_integer &&
-        column.use == results::ColumnUse::answer &&
+    if (std::ranges::count(left_out, column.owner()) == 0 &&
+        !column.is_integer && column.use == results::ColumnUse::answer &&
         std::ranges::any_of(curves, [&](const SweptCurve* curve) {
           return std::ranges::any_of(curve->rows, [&](const CurvePoint& row) {
             return std::isfinite(row[column]);
           });
         }))
       found.push_back(&column);
+  std::ranges::stable_sort(found, {}, [&](const results::CurveColumn* column) {
+    return std::ranges::find(answers, column, &AnswerColumn::column);
+  });
   return found;
 }
 
@@ -233,6 +258,8 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
   CsvTable rows({"sample", "index", pressures.label, "area [%]", gaps.label});
   for (std::size_t i = 0; i <= table.samples.size(); ++i)
     for (const SampleLoad& load : table.loads) {
+      if (!is_by_gap && !(load.state > 0.0))
+        continue; // of which the axis has no logarithm
       const auto value = [&](std::size_t column) {
         const SampleValues& values = load.columns[column];
         return i < table.samples.size() ? values.values[i] : values.spread.mean;
@@ -261,6 +288,66 @@ Figure sample_figure(const SampleLoads& table, bool is_area) {
   figure.panels = {std::move(panel)};
   figure.data = rows.text();
   return figure;
+}
+
+/// "6 maps", or "5 of 6 maps" where a map has no value.
+std::string known_maps(const SampleValues& column) {
+  const auto all = std::ssize(column.values);
+  return column.known() < all
+             ? fmt::format("{} of {} maps", column.known(), all)
+             : fmt::format("{} maps", all);
+}
+
+bool are_all_zero(const SampleValues& column) {
+  return column.known() > 0 && column.zeros() == column.known();
+}
+
+/// "; all are tight from 50 MPa on", or how many are at the heaviest load.
+std::string heavier_zeros(const SampleLoads& table, std::size_t column) {
+  const SampleLoad *first = nullptr, *last = nullptr;
+  for (const SampleLoad& load : table.loads)
+    if (!load.is_unloading && load.columns[column].known() > 0) {
+      if (!are_all_zero(load.columns[column]))
+        first = nullptr;
+      else if (first == nullptr)
+        first = &load;
+      last = &load;
+    }
+  const std::string& zero = table.columns[column].zero;
+  if (zero.empty() || table.is_by_gap() || last == nullptr)
+    return "";
+  if (first != nullptr)
+    return fmt::format("; all are {} from {} on", zero,
+                       table.state_text(*first));
+  const SampleValues& heaviest = last->columns[column];
+  return heaviest.zeros() == 0
+             ? ""
+             : fmt::format("; {} of {} are {} at {}", heaviest.zeros(),
+                           known_maps(heaviest), zero, table.state_text(*last));
+}
+
+/// "Thermal resistance: 2.1e-06 m² K/W at 7 MPa, median of 6 maps (1.8e-06 m²
+/// K/W to 2.3e-06 m² K/W)."
+std::string answer(const SampleLoads& table, const SampleLoad& load,
+                   std::size_t column) {
+  const auto& [name, unit, words, zero] = table.columns[column];
+  const SampleValues& values = load.columns[column];
+  std::vector<double> known;
+  for (const double value : values.values)
+    if (std::isfinite(value))
+      known.push_back(value);
+  if (known.empty())
+    return fmt::format("{}: no map has a value at {}.", words,
+                       table.state_text(load));
+  const auto [low, high] = std::ranges::minmax(known);
+  return fmt::format("{}: {} at {}, median of {} ({} to {}){}{}.", words,
+                     quantity_text(median(known), unit, 3),
+                     table.state_text(load), known_maps(values),
+                     quantity_text(low, unit, 2), quantity_text(high, unit, 2),
+                     values.zeros() == 0 || zero.empty()
+                         ? ""
+                         : fmt::format(", {} of them {}", values.zeros(), zero),
+                     heavier_zeros(table, column));
 }
 
 } // namespace
@@ -306,19 +393,27 @@ SampleLoads sample_loads(const SweepRecord& record,
       curves.push_back(curve);
       table.samples.push_back(sample_name(record, result->point));
     }
-  const RowsOfSteps steps = rows_of_steps(curves);
-  if (!curves.empty())
-    table.state = shared_state(curves, steps);
+  RowsOfSteps steps;
+  std::tie(table.state, steps) = shared_states(curves);
   if (table.state.name.empty())
     return table;
+  const std::vector<AnswerColumn>& answers = results.front()->answers;
   const std::vector<const results::CurveColumn*> studied =
-      studied_columns(curves);
+      studied_columns(curves, answers);
   table.columns = {{"area_fraction", "%"}, {"mean_gap", "m"}};
   if (table.is_by_gap())
     table.columns.push_back({"nominal_pressure", "Pa"});
-  for (const results::CurveColumn* column : studied)
-    table.columns.push_back(
-        {std::string(column->name), std::string(column->unit)});
+  for (const results::CurveColumn* column : studied) {
+    const bool is_share = column->range.highest == 1.0;
+    SampleColumn& added = table.columns.emplace_back(SampleColumn{
+        std::string(column->name), is_share ? "%" : std::string(column->unit)});
+    if (const auto answer =
+            std::ranges::find(answers, column, &AnswerColumn::column);
+        answer != answers.end()) {
+      added.words = answer->words;
+      added.zero = answer->zero;
+    }
+  }
   for (const auto& [step, rows] : steps) {
     const std::size_t first = first_of(rows);
     SampleLoad load{state_of(*curves[first], *rows[first], table.is_by_gap()),
@@ -382,7 +477,9 @@ std::string sample_loads_text(const SampleLoads& table) {
   if (table.loads.empty())
     return "";
   const std::size_t second = table.n_common() - 1;
-  const int width = table.is_by_gap() ? 21 : 10;
+  std::size_t width = 8; // of "pressure"
+  for (const SampleLoad& load : table.loads)
+    width = std::max(width, table.state_text(load).size() + 2);
   std::string text = fmt::format(
       "{}, {} maps: mean and standard deviation of one map\n{:>{}}  {:>15}  "
       "{:>17}  outliers\n",
@@ -424,6 +521,15 @@ std::string sample_sentence(const SampleLoads& table) {
           ? ""
           : ", and the mean gap is " + table.column_text(*load, 1),
       table.samples.size());
+}
+
+std::string sample_answers(const SampleLoads& table) {
+  const SampleLoad* const load = usual_load(table);
+  std::string sentences;
+  for (std::size_t c = table.n_common(); c < table.columns.size(); ++c)
+    if (!table.columns[c].words.empty())
+      sentences += (sentences.empty() ? "" : " ") + answer(table, *load, c);
+  return sentences;
 }
 
 std::vector<Figure> sample_figures(const SampleLoads& table) {

@@ -31,8 +31,10 @@ struct SampleLoad {
 };
 
 struct SampleColumn {
-  std::string name; ///< of the column: "mean_gap"
-  std::string unit; ///< SI; "%": a share of 1 that is shown in per cent
+  std::string name;       ///< of the column: "mean_gap"
+  std::string unit;       ///< SI; "%": a share of 1 that is shown in per cent
+  std::string words = {}; ///< AnswerColumn::words of a column that answers
+  std::string zero = {};  ///< likewise
 };
 
 /// One method at the loads that all samples share.
@@ -44,7 +46,7 @@ struct SampleLoads {
   SampleColumn state;
   /// Contact area, corrected where it can be, and mean gap; the nominal
   /// pressure if the samples share the gap; then those of studies that any
-  /// sample has.
+  /// sample has, first those that answer.
   std::vector<SampleColumn> columns;
   std::vector<SampleLoad> loads; ///< in the order of the loading path
 
@@ -82,6 +84,11 @@ const SampleLoad* usual_load(const SampleLoads& table);
 
 /// Returns the sentence on the usual load; "" without loads.
 std::string sample_sentence(const SampleLoads& table);
+
+/// Returns a sentence for each column that answers: its median and range over
+/// the samples at the usual load, and how many of them have 0, which a flow has
+/// that is sealed; "" without such columns.
+std::string sample_answers(const SampleLoads& table);
 
 /// Returns area against pressure, or mean gap, and pressure against mean gap: a
 /// line per sample and their mean.

@@ -127,14 +127,16 @@ Json scatter_rows(const SweepRecord& record, const SweptResults& results) {
   return rows;
 }
 
-/// Says which samples are not in a mean, and which are 0 in it: sealed ones.
-std::string counted_samples(const SampleValues& column) {
+/// Says which samples are not in a mean, and which are 0 in it: tight ones.
+std::string counted_samples(const SampleColumn& head,
+                            const SampleValues& column) {
   const auto all = std::ssize(column.values);
   std::string text;
   if (column.known() < all)
     text = fmt::format("; {} of {} have a value", column.known(), all);
   if (column.zeros() > 0)
-    text += fmt::format("; {} of {} are 0", column.zeros(), all);
+    text += fmt::format("; {} of {} are {}", column.zeros(), all,
+                        head.zero.empty() ? "0" : head.zero);
   return text;
 }
 
@@ -159,7 +161,8 @@ void set_loads(Json& page, const SampleLoads& table) {
     std::string outliers;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
       const SampleValues& values = load.columns[c];
-      cells.push_back(table.column_text(load, c) + counted_samples(values));
+      cells.push_back(table.column_text(load, c) +
+                      counted_samples(table.columns[c], values));
       if (c >= table.n_common()) // of studies in loads.csv
         continue;
       for (const std::size_t sample : values.outliers)
@@ -225,6 +228,7 @@ std::string thumbnail(const std::filesystem::path& point) {
 /// The table of the maps, each with its picture.
 void set_maps(Json& page, const SampleMaps& maps,
               const std::filesystem::path& out) {
+  page["are_maps_first"] = !maps.sentence.empty();
   page["map_heads"] = maps.heads;
   page["maps"] = Json::array();
   for (const SampleMap& map : maps.rows) {
@@ -374,7 +378,9 @@ SweepReport write_sweep_report(const SweepRecord& record,
   const std::vector<SweepLimit> limits = sweep_limits(record, results);
   const SampleLoads loads = sample_loads(record, results);
   const SampleMaps maps = sample_maps(record, results, loads);
-  report.answer = sample_loads_text(loads) + sample_maps_text(maps);
+  const std::string answers = sample_answers(loads);
+  report.answer = sample_loads_text(loads) + sample_maps_text(maps) + answers +
+                  (answers.empty() ? "" : "\n");
   if (!loads.loads.empty())
     write_file_atomically(out / "loads.csv", sample_loads_csv(loads));
   const std::vector<FigureGroup> figures{
@@ -394,7 +400,8 @@ SweepReport write_sweep_report(const SweepRecord& record,
   page["limit_heads"] = quantities_with_limits;
   page["limits"] = limit_rows(limits);
   set_banner(page, results,
-             maps.sentence.empty() ? sample_sentence(loads) : maps.sentence);
+             (maps.sentence.empty() ? sample_sentence(loads) : maps.sentence) +
+                 (answers.empty() ? "" : " " + answers));
   set_loads(page, loads);
   set_maps(page, maps, out);
   write_page(sweep_template,

@@ -6,6 +6,7 @@
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
+#include "results/types/method_columns.hpp"
 #include "surfaces/build.hpp"
 #include "theory/persson/height_spectrum.hpp"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string_view>
@@ -69,6 +71,19 @@ std::vector<SweptCurve> curves_of(const results::Result& result) {
   return curves;
 }
 
+std::vector<AnswerColumn> answer_columns(const cases::Case& contact_case) {
+  std::vector<AnswerColumn> found;
+  if (std::ranges::any_of(contact_case.methods, [](const auto& method) {
+        return method.hardness().has_value();
+      }))
+    found.push_back({&columns::plastic_area, "Area that yields", "elastic"});
+  for (const StudyPages* const study : study_pages())
+    if (study->answer_columns != nullptr)
+      std::ranges::move(study->answer_columns(contact_case),
+                        std::back_inserter(found));
+  return found;
+}
+
 std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
                                         std::size_t point,
                                         const std::filesystem::path& folder,
@@ -96,8 +111,10 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
     ReportEntry entry = entry_of(result, contact_case);
     swept->spectrum = spectrum_point(contact_case.surface);
     swept->series = series_of({&entry, 1});
-    if (has_samples(record))
+    if (has_samples(record)) {
       swept->curves = curves_of(result);
+      swept->answers = answer_columns(contact_case);
+    }
     swept->summary = std::move(entry.summary);
     for (Series& series : swept->series) // the methods moved with the summary
       series.method = method_called(swept->summary.methods, series.label);

@@ -4,6 +4,7 @@
 // fields, and lists their quantities as a table.
 
 #include "reports/figures/series.hpp"
+#include "reports/study_pages.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 
 #include <filesystem>
@@ -43,6 +44,7 @@ struct SweptResult {
   std::vector<Series> series;     ///< of this point, whose methods point into
                                   ///< `summary`
   std::vector<SweptCurve> curves; ///< of samples (has_samples()); else empty
+  std::vector<AnswerColumn> answers; ///< of samples: what the case asks
 
   bool has_result() const { return status != "missing"; }
 };

@@ -218,8 +218,7 @@ private:
 
   /// The exponential law, and for maps their loads: mean gaps from 4 h_rms to
   /// 0.1 h_rms, where most sticky faces bear a load, and back; or with free
-  /// edges, pressures up to 0.3 E* h' and back, and tensions until the faces
-  /// part, at which the theory without adhesion has no state.
+  /// edges adhesive_loads(), of which the theory has no states in tension.
   void add_adhesion() {
     put("halfspace.contact", "\"exponential\"");
     if (!asked_.are_maps || options_.has("--pressure"))
@@ -227,27 +226,16 @@ private:
     if (asked_.has_free_edges) {
       put("theory", "");
       put("load.cycle", "");
-      put("load.nominal_pressure",
-          list_of({0.001, 0.003, 0.01,  0.03,  0.1,  0.3,    0.1,
-                   0.03,  0.01,  0.003, 0.001, 0.0,  -0.001, -0.003,
-                   -0.01, -0.03, -0.1,  -0.3,  -1.0, -3.0},
-                  "E* h'"));
+      put("load.nominal_pressure", adhesive_loads({}));
       return;
     }
     put("load.cycle", "\"load-unload\"");
     put("load.nominal_pressure", "");
-    put("load.mean_gap", list_of({4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.75, 0.5,
-                                  0.4, 0.3, 0.25, 0.2, 0.15, 0.1},
-                                 "h_rms"));
-  }
-
-  static std::string list_of(const std::vector<double>& values,
-                             const char* unit) {
-    std::string list;
-    for (const double value : values)
-      list +=
-          fmt::format("{}\"{} {}\"", list.empty() ? "[" : ", ", value, unit);
-    return list + "]";
+    std::vector<std::string> gaps;
+    for (const double gap : {4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.75, 0.5, 0.4,
+                             0.3, 0.25, 0.2, 0.15, 0.1})
+      gaps.push_back(fmt::format("\"{} h_rms\"", gap));
+    put("load.mean_gap", fmt::format("[{}]", fmt::join(gaps, ", ")));
   }
 
   const CaseOptions& options_;
@@ -276,27 +264,26 @@ std::vector<std::string>
 CaseOptions::overrides(const AskedOf& asked, input::Refusals& refusals) const {
   return OverrideMaker(*this, asked, refusals).made(values_);
 }
-  std::string last;
 
 std::vector<std::string> CaseOptions::words() const {
   std::vector<std::string> words;
   for (const auto& [name, value] : values_)
     if (!value.empty())
       words.insert(words.end(), {name, value});
-    bool is_refused = false;
   return words;
 }
 
 std::string CaseOptions::with_options(const std::string& refusal,
                                       bool has_hints) const {
   std::string text;
+  std::string last;
   for (std::size_t begin = 0; begin < refusal.size();) {
     const std::size_t end = std::min(refusal.find('\n', begin), refusal.size());
     std::string line = refusal.substr(begin, end - begin);
     begin = end + 1;
     if (has_hints && line.ends_with("mistake(s) in the case file"))
       continue; // which the user does not have
-      }
+    bool is_refused = false;
     for (const input::CaseOption& option : input::case_options()) {
       const std::string missing = std::string(option.key) + " is missing";
       if (line.find(missing) == line.npos) {
@@ -309,6 +296,7 @@ std::string CaseOptions::with_options(const std::string& refusal,
                     ? "; please add --contact-modulus \"2 GPa\", or "
                       "--youngs-modulus \"2 GPa\" with --poisson-ratio 0.3"
                     : "; please add " + option.with(option.example);
+      }
     }
     if (has_hints) {
       replace_text(line, "the case of the map: ", "");
@@ -336,6 +324,16 @@ std::vector<std::string> flow_overrides(const std::string& fluid) {
   (void)positive_quantity("--flow", viscosity, input::Dimension::viscosity);
   return {"flow.viscosity=\"" + viscosity + "\"",
           "flow.pressure_drop=\"100 kPa\""};
+}
+
+std::string adhesive_loads(std::optional<double> scale) {
+  std::vector<std::string> loads;
+  for (const double share :
+       {0.001, 0.003, 0.01,   0.03,   0.1,   0.3,   0.1,  0.03, 0.01, 0.003,
+        0.001, 0.0,   -0.001, -0.003, -0.01, -0.03, -0.1, -0.3, -1.0, -3.0})
+    loads.push_back(scale ? fmt::format("\"{:.2g} Pa\"", share * *scale)
+                          : fmt::format("\"{} E* h'\"", share));
+  return fmt::format("[{}]", fmt::join(loads, ", "));
 }
 
 std::string round_loads(double low, double high, double highest) {

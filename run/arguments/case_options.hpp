@@ -61,6 +61,12 @@ private:
 /// @throws input::InputError  it is none of them
 std::vector<std::string> flow_overrides(const std::string& fluid);
 
+/// Returns pressures up to 0.3 E* h' and back, and on to tensions at which
+/// faces part, as a list in TOML.
+/// @param scale  of the pressures in the place of E* h' of each map, rounded to
+///               two digits [Pa] > 0
+std::string adhesive_loads(std::optional<double> scale);
+
 /// Returns loads that are easy to read, from the largest below `low` to the
 /// smallest above `high`, as a list in TOML: ["10 kPa", "15 kPa", ...]. They
 /// are 1, 1.5, 2, 3, 5 and 7 times powers of ten, or for more than 2.6 decades

@@ -103,9 +103,13 @@ entries_of_maps(NamedMaps& maps, const std::vector<std::string>& overrides,
   if (surface)
     refusals.of([&] { slopes = examine_maps(maps, *surface); });
   throw_if_any(refusals, options, true);
+  const double modulus = first.material.contact_modulus;
+  if (maps.files.size() > 1 && has_free_edges && !has_loads(overrides) &&
+      options.has("--work-of-adhesion") && !options.has("--pressure"))
+    entries.push_back("load.nominal_pressure=" +
+                      adhesive_loads(modulus * slopes.second));
   if (has_loads(overrides) || has_loads(entries))
     return entries;
-  const double modulus = first.material.contact_modulus;
   double highest = std::numeric_limits<double>::infinity();
   const mechanics::Scales scales{.contact_modulus = modulus,
                                  .rms_slope = slopes.second};

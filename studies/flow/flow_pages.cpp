@@ -176,16 +176,23 @@ std::string flow_text(const cases::Case& contact_case) {
       study->viscosity, study->pressure_drop, study->aspect());
 }
 
-/// "Water at 100 kPa", or by its viscosity.
+/// "water at 100 kPa", or by its viscosity.
 std::string fluid_words(const FlowStudy& study) {
   std::string name =
-      fmt::format("A fluid of {} mPa s", digits_text(1e3 * study.viscosity, 3));
+      fmt::format("a fluid of {} mPa s", digits_text(1e3 * study.viscosity, 3));
   for (const auto& [fluid, viscosity] : named_fluids)
-    if (std::abs(study.viscosity / viscosity - 1.0) < 1e-6) {
+    if (std::abs(study.viscosity / viscosity - 1.0) < 1e-6)
       name = fluid;
-      name.front() = static_cast<char>(std::toupper(name.front()));
-    }
   return name + " at " + quantity_text(study.pressure_drop, "Pa", 3);
+}
+
+std::vector<AnswerColumn> leak_columns(const cases::Case& contact_case) {
+  const auto* const study = contact_case.study<FlowStudy>();
+  if (study == nullptr)
+    return {};
+  const std::string words = "Leak rate of " + fluid_words(*study);
+  return {{&columns::leak_rate.x, words + " along x", "tight"},
+          {&columns::leak_rate.y, words + " along y", "tight"}};
 }
 
 /// "5e-14 m³/s along y at 1 MPa" of the heaviest load, or "tight along x from
@@ -203,7 +210,7 @@ std::string flow_along(const char* direction, const SpreadCurve& leaks) {
     return quantity_text(at.pressure, "Pa", 3);
   };
   const auto rate = [](const LoadSpread& at) {
-    return quantity_text(at.median(), "m³/s", 3);
+    return quantity_text(at.median(), "m^3/s", 3);
   };
   const auto count = [](const LoadSpread& at) -> std::string {
     const std::size_t all = at.numbers.size();
@@ -230,8 +237,10 @@ std::string flow_answer(const ReportEntry& entry) {
       answered_load(entry, columns::leak_rate.x).method;
   if (study == nullptr || method == nullptr)
     return "";
+  std::string fluid = fluid_words(*study);
+  fluid.front() = static_cast<char>(std::toupper(fluid.front()));
   return fmt::format(
-      "{}: {}, {}{}.", fluid_words(*study),
+      "{}: {}, {}{}.", fluid,
       flow_along("x", converged_spread(*method, columns::leak_rate.x)),
       flow_along("y", converged_spread(*method, columns::leak_rate.y)),
       method_in_words(entry, *method));
@@ -277,6 +286,7 @@ const StudyPages& flow_pages() {
                                 .figure_names = {"flux-", "leak-rate"},
                                 .figures = drawn_by<flow_figures>,
                                 .answer = flow_answer,
+                                .answer_columns = leak_columns,
                                 .methods_text = flow_text,
                                 .at_load = numbers_of_flow()};
   return pages;

@@ -26,11 +26,17 @@ std::string resistance_answer(const reports::ReportEntry& entry) {
   return heat + (heat.empty() || current.empty() ? "" : " ") + current;
 }
 
+std::vector<reports::AnswerColumn> resistances(const cases::Case&) {
+  return {{&columns::thermal_resistance, "Thermal resistance"},
+          {&columns::electrical_resistance, "Electrical resistance"}};
+}
+
 } // namespace
 
 const reports::StudyPages& resistance_pages() {
   static const reports::StudyPages pages{.name = "resistance",
-                                         .answer = resistance_answer};
+                                         .answer = resistance_answer,
+                                         .answer_columns = resistances};
   return pages;
 }
 

@@ -106,13 +106,18 @@ std::string spots_answer(const ReportEntry& entry) {
       quantity_text(answer.median(columns::largest_spot), "m^2", 3));
 }
 
+std::vector<AnswerColumn> spot_counts(const cases::Case&) {
+  return {{&columns::spot_count, "Number of spots of contact"}};
+}
+
 } // namespace
 
 const StudyPages& spots_pages() {
   static const StudyPages pages{.name = "spots",
                                 .figure_names = {"spots-"},
                                 .figures = drawn_by<spot_figures>,
-                                .answer = spots_answer};
+                                .answer = spots_answer,
+                                .answer_columns = spot_counts};
   return pages;
 }
 

@@ -182,11 +182,31 @@ TEST_F(Maps, ArePressedWithTheSameRoundLoads) {
   }
   const std::string page = text_of(folder / "all/report.html");
   EXPECT_NE(page.find("over 2 maps (mean"), std::string::npos);
+  EXPECT_NE(page.find("Leak rate of water at 100 kPa along x: "),
+            std::string::npos);
+  EXPECT_LT(table.find("leak_rate_y"), table.find("flow_factor_x"));
   // Both are sealed at the largest load: the mean of their flow is of zeros.
   EXPECT_EQ(numbers("samples with a value").back(), 2.0);
   EXPECT_EQ(numbers("samples with 0").back(), 0.0);
   EXPECT_TRUE(table.ends_with(",2\n")) << table;
-  EXPECT_NE(page.find("; 2 of 2 are 0"), std::string::npos);
+  EXPECT_NE(page.find("; 2 of 2 are tight"), std::string::npos);
+}
+
+// With free edges, adhesive maps share pressures: those of the steepest map.
+TEST_F(Maps, AdhesiveOnesWithFreeEdgesShareLoads) {
+  std::string flatter = map_text(2);
+  for (std::size_t at = 0; (at = flatter.find("e-9", at)) != flatter.npos;)
+    flatter.replace(at, 3, "e-10");
+  write("maps/2.txt", flatter);
+  const Ended ended = press("maps --out all --work-of-adhesion '50 mJ/m^2' "
+                            "--set surface.edges=free");
+  ASSERT_EQ(ended.exit_code, 0) << ended.output;
+
+  const std::string table = text_of(folder / "all/loads.csv");
+  EXPECT_TRUE(table.starts_with("sample,method,nominal_pressure [Pa],"))
+      << table;
+  const std::string page = text_of(folder / "all/report.html");
+  EXPECT_LT(page.find("id=\"maps\""), page.find("id=\"loads\""));
 }
 
 TEST_F(Maps, ArePressedAsTheOptionsSay) {
@@ -227,6 +247,14 @@ TEST_F(Maps, AreRefusedForAllReasonsAtOnce) {
         "--level = \"fla\", but must be none", "--pressure = \"2\" has no unit",
         "--poisson-ratio = 3, but must"})
     expect_refusal(wrong, line);
+  for (const std::string words : {"--hardness 3 --contact-modulus 2GPa",
+                                  "--hardness '3 m' --contact-modulus 2GPa",
+                                  "--poisson-ratio .3m --youngs-modulus 2GPa",
+                                  "--channel x --contact-modulus 2GPa"}) {
+    const Ended once = run("run maps/1.txt " + words);
+    expect_refusal(once, words.substr(0, words.find(' ')));
+    EXPECT_EQ(std::ranges::count(once.output, '\n'), 1) << once.output;
+  }
   const Ended of_case = run("run polymer --pressure '2 MPx' --dry-run");
   expect_refusal(of_case, "--pressure = \"2 MPx\" has the unknown unit");
   EXPECT_EQ(run("run polymer --youngs-modulus '3 GPa' --poisson-ratio 0.3 "
@@ -238,34 +266,6 @@ TEST_F(Maps, AreRefusedForAllReasonsAtOnce) {
                  "a range goes from the smaller pressure");
 }
 
-TEST_F(Maps, PartsJoinToTheUndividedRun) {
-  ASSERT_EQ(press("maps --out whole/maps").exit_code, 0);
-  for (const char* part : {"2/2", "1/2"}) {
-    const Ended ended =
-        press("maps --out parts/maps --no-cache --part " + std::string(part));
-    EXPECT_EQ(ended.exit_code, 0) << ended.output;
-  }
-
-  const Ended merged = run("merge parts/maps");
-  for (const std::string words : {"--hardness 3 --contact-modulus 2GPa",
-                                  "--hardness '3 m' --contact-modulus 2GPa",
-                                  "--poisson-ratio .3m --youngs-modulus 2GPa",
-                                  "--channel x --contact-modulus 2GPa"}) {
-    const Ended once = run("run maps/1.txt " + words);
-    expect_refusal(once, words.substr(0, words.find(' ')));
-    EXPECT_EQ(std::ranges::count(once.output, '\n'), 1) << once.output;
-  }
-
-  EXPECT_EQ(merged.exit_code, 0) << merged.output;
-  for (const char* name : {"sweep.csv", "sweep.json", "maps.toml"})
-    EXPECT_EQ(text_of(folder / "parts/maps" / name),
-              text_of(folder / "whole/maps" / name))
-        << name;
-  EXPECT_TRUE(fs::exists(folder / "parts/maps/points/001/report.html"));
-  const Ended again =
-      run("run parts/maps/maps.toml --no-report --out parts/maps");
-  EXPECT_EQ(again.exit_code, 0) << again.output;
-}
 // What is known of a map before it is pressed is said then, and once.
 TEST_F(Maps, ASpikeIsToldOnce) {
   std::string text = "# Channel: Z\n# Width: 4 um\n# Height: 4 um\n"
@@ -288,6 +288,26 @@ TEST_F(Maps, ASpikeIsToldOnce) {
       << output;
 }
 
+TEST_F(Maps, PartsJoinToTheUndividedRun) {
+  ASSERT_EQ(press("maps --out whole/maps").exit_code, 0);
+  for (const char* part : {"2/2", "1/2"}) {
+    const Ended ended =
+        press("maps --out parts/maps --no-cache --part " + std::string(part));
+    EXPECT_EQ(ended.exit_code, 0) << ended.output;
+  }
+
+  const Ended merged = run("merge parts/maps");
+
+  EXPECT_EQ(merged.exit_code, 0) << merged.output;
+  for (const char* name : {"sweep.csv", "sweep.json", "maps.toml"})
+    EXPECT_EQ(text_of(folder / "parts/maps" / name),
+              text_of(folder / "whole/maps" / name))
+        << name;
+  EXPECT_TRUE(fs::exists(folder / "parts/maps/points/001/report.html"));
+  const Ended again =
+      run("run parts/maps/maps.toml --no-report --out parts/maps");
+  EXPECT_EQ(again.exit_code, 0) << again.output;
+}
 
 TEST_F(Maps, ArePlannedForSlurmAndRunInTheSameFolder) {
   const Ended planned =
