@@ -53,6 +53,27 @@ nominal_pressure = ["1.3333333333333334e-4 E*", "8.533333333333333e-3 E*"]
 approach_error = { below = 1e-3 }
 contact_radius_error = { below = 2e-3 }
 """
+ROUGH_CASE = """schema = 1
+[surface]
+kind = "self-affine"
+length = "10 um"
+points = 16
+seed = 3
+realizations = 2
+rms_slope = 0.1
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.5 length"
+wavelength_short = "8 h"
+[material]
+contact_modulus = "2 GPa"
+[load]
+nominal_pressure = "10 MPa"
+[halfspace]
+boundaries = "free"
+[halfspace.images]
+boundaries = "periodic"
+"""
 
 
 def asperity(*arguments, expected=0):
@@ -167,6 +188,15 @@ def check_sphere():
     assert "approach_error" in text and text.count("\nok ") == 2, text
 
 
+def check_realizations():
+    """The table of both boundaries is of one realisation, and says so."""
+    (FOLDER / "rough.toml").write_text(ROUGH_CASE)
+    asperity("run", "rough.toml", "--out", "rough")
+    page = (FOLDER / "rough" / "report.html").read_text()
+    assert "Realisation 0 of 2. The same surface" in page
+    assert "Realisation 0 of" not in (FOLDER / "map" / "report.html").read_text()
+
+
 shutil.rmtree(FOLDER, ignore_errors=True)
 FOLDER.mkdir(parents=True)
 write_map()
@@ -174,4 +204,5 @@ check_map()
 check_map_alone()
 check_refusals()
 check_sphere()
+check_realizations()
 print("free boundaries: as described")
