@@ -1,6 +1,7 @@
 #include "reports/pages/answers.hpp"
 
 #include "base/json.hpp"
+#include "base/special_numbers.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/measured_curve.hpp"
@@ -195,6 +196,16 @@ std::string plastic_sentence(const ReportEntry& entry,
                            pressure_in_pascal(load.pressure), hardness);
 }
 
+/// "33 nm (32 to 34)". In complete contact the gap of the continuum is below
+/// all that its atoms know.
+std::string gap_text(const PhysicalLoad& load) {
+  constexpr double least = 1e-12; // [m]
+  const double gap = load.gap.value;
+  return std::abs(gap) < least ? "below 0.001 nm"
+                               : interval_text(gap, gap - load.errors.gap,
+                                               gap + load.errors.gap, "m");
+}
+
 /// "At 1 MPa 2.3 % (2.1 to 2.5) of the area touches and the mean gap is 33 nm
 /// (32 to 34)": the words of further loads are fewer.
 std::string load_sentence(const PhysicalLoad& load, bool is_first) {
@@ -207,8 +218,7 @@ std::string load_sentence(const PhysicalLoad& load, bool is_first) {
       pressure_in_pascal(load.pressure),
       interval_text(area, std::max(0.0, area - area_error),
                     std::min(1.0, area + area_error), "%"),
-      interval_text(load.gap.value, load.gap.value - load.errors.gap,
-                    load.gap.value + load.errors.gap, "m"));
+      gap_text(load));
 }
 
 /// The lightest, a middle and the heaviest load in one sentence.
@@ -220,6 +230,22 @@ std::string contact_sentence(const std::vector<PhysicalLoad>& loads,
   if (loads.size() > 1)
     words += "; " + load_sentence(loads.back(), false);
   return words + method + ".";
+}
+
+/// "Nothing touches down to a mean gap of 25 nm." of gaps that reach no
+/// contact;
+/// "" where a load presses or pulls.
+std::string open_sentence(const results::MethodRecord& method) {
+  double smallest = infinity;
+  for (const results::CurvePoint& row : method.rows()) {
+    if (row.area_fraction > 0.0 || row.nominal_pressure != 0.0)
+      return "";
+    smallest = std::fmin(smallest, row.mean_gap);
+  }
+  return std::isfinite(smallest)
+             ? fmt::format("Nothing touches down to a mean gap of {}.",
+                           quantity_text(smallest, "m", 3))
+             : "";
 }
 
 /// Whether a measured map is good enough; "" for other surfaces.
@@ -291,6 +317,7 @@ std::vector<std::string> answers_of(const ReportEntry& entry) {
       add(contact_sentence(loads, method_in_words(entry, *method)));
       add(plastic_sentence(entry, *method, loads.back()));
     }
+    add(open_sentence(*method));
     add(adhesive_sentence(entry, *method));
   }
   for (const StudyPages* const study : study_pages())
@@ -342,7 +369,10 @@ std::vector<IntervalPart> interval_parts(const ReportEntry& entry) {
   const results::MethodRecord* const method = main_method(*entry.result);
   if (method == nullptr || !has_surface(entry))
     return {};
-  return AskedIntervals(*entry.result, *entry.contact_case, *method).parts();
+  const AskedIntervals intervals(*entry.result, *entry.contact_case, *method);
+  return physical_loads(*method, intervals).empty()
+             ? std::vector<IntervalPart>()
+             : intervals.parts();
 }
 
 } // namespace asperity::reports

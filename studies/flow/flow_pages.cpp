@@ -239,11 +239,13 @@ std::string flow_answer(const ReportEntry& entry) {
     return "";
   std::string fluid = fluid_words(*study);
   fluid.front() = static_cast<char>(std::toupper(fluid.front()));
-  return fmt::format(
-      "{}: {}, {}{}.", fluid,
-      flow_along("x", converged_spread(*method, columns::leak_rate.x)),
-      flow_along("y", converged_spread(*method, columns::leak_rate.y)),
-      method_in_words(entry, *method));
+  const SpreadCurve along_x = converged_spread(*method, columns::leak_rate.x);
+  const SpreadCurve along_y = converged_spread(*method, columns::leak_rate.y);
+  std::string words = flow_along("x and y", along_x);
+  if (words != flow_along("x and y", along_y))
+    words = flow_along("x", along_x) + ", " + flow_along("y", along_y);
+  return fmt::format("{}: {}{}.", fluid, words,
+                     method_in_words(entry, *method));
 }
 
 /// Mean over both directions of log10 of a number; minus infinity if one of

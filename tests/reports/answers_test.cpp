@@ -1,11 +1,13 @@
 // What a user asked is answered in sentences, the same on the page, on the
 // terminal and in summary.json, with intervals that hold what they say.
+#include "base/shown_number.hpp"
 #include "reports/pages/answers.hpp"
 #include "results/types/method_columns.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <pugixml.hpp>
@@ -111,6 +113,32 @@ TEST_F(Answers, SayTheCountedAreaWhereNoneIsCorrected) {
   ASSERT_FALSE(answers.empty());
   for (const nlohmann::json& answer : answers)
     EXPECT_EQ(answer.get<std::string>().find("–"), std::string::npos) << answer;
+}
+
+// In complete contact the gap of the continuum is smaller than atoms.
+TEST_F(Answers, KnowNoGapBelowAPicometre) {
+  results::MethodRecord& method = result.methods.back();
+  for (results::CurvePoint& row : method.realizations.front().points)
+    row.mean_gap = 3e-14;
+  write(result);
+  const std::string answer = summary()["answers"][0];
+  EXPECT_NE(answer.find("the mean gap is below 0.001 nm;"), std::string::npos)
+      << answer;
+}
+
+// Gaps without contact have no intervals that could contain something.
+TEST_F(Answers, SayThatNothingTouches) {
+  results::MethodRecord& method = result.methods.back();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (results::CurvePoint& row : method.realizations.front().points) {
+    row.nominal_pressure = row.area_fraction = 0.0;
+    smallest = std::min(smallest, row.mean_gap);
+  }
+  write(result);
+  EXPECT_EQ(summary()["answers"][0], "Nothing touches down to a mean gap of " +
+                                         quantity_text(smallest, "m", 3) + ".");
+  EXPECT_EQ(text_of(folder / "report.html").find("The intervals contain"),
+            std::string::npos);
 }
 
 TEST_F(Answers, StandWithoutVerdictsIfThereIsNoExpectation) {

@@ -158,6 +158,8 @@ TEST(FlowAnswer, IsOfAllRealisations) {
   EXPECT_EQ(answer({{{1e-12, 2e-12}}, {{0.0, 1e-12}}}),
             "A fluid of 1 mPa s at 10 kPa: tight along x from 2 MPa on (1e-12 "
             "m³/s at 1 MPa), 1e-12 m³/s along y at 2 MPa.");
+  EXPECT_EQ(answer({{{0.0, 0.0}}}),
+            "A fluid of 1 mPa s at 10 kPa: tight along x and y from 1 MPa on.");
   EXPECT_EQ(
       answer({{{0.0, 2e-12}, {1e-12, 4e-12}, {2e-12, 6e-12}},
               {{0.0, 1e-12}, {0.0, 2e-12}, {1e-13, 3e-12}}}),
