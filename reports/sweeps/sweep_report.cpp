@@ -333,6 +333,14 @@ void set_banner(Json& page, const SweptResults& results,
                                                    : "";
 }
 
+/// ", E* = 2 GPa" of samples, which have one modulus; "" without a result.
+std::string modulus_words(const SweptResults& results) {
+  for (const auto& result : results)
+    if (std::isfinite(result->contact_modulus))
+      return ", E* = " + quantity_text(result->contact_modulus, "Pa");
+  return "";
+}
+
 /// @param page  what the page says of limits and common loads
 Json page_of(Json page, const SweepRecord& record, const SweptResults& results,
              const std::vector<DrawnGroup>& groups,
@@ -349,7 +357,8 @@ Json page_of(Json page, const SweepRecord& record, const SweptResults& results,
   page["lead"] = fmt::format(
       "Case {}: {} {}{}.", record.case_name, record.points.size(),
       are_maps ? "maps" : "points",
-      record.keys.size() < 2 ? ""
+      is_sampled               ? modulus_words(results)
+      : record.keys.size() < 2 ? ""
       : record.combine == cases::Combine::zip
           ? ", the lists of values side by side"
           : ", every value of each key with every value of the others");

@@ -111,6 +111,7 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
     ReportEntry entry = entry_of(result, contact_case);
     swept->spectrum = spectrum_point(contact_case.surface);
     swept->series = series_of({&entry, 1});
+    swept->contact_modulus = result.contact_modulus;
     if (has_samples(record)) {
       swept->curves = curves_of(result);
       swept->answers = answer_columns(contact_case);

@@ -44,7 +44,8 @@ struct SweptResult {
   std::vector<Series> series;     ///< of this point, whose methods point into
                                   ///< `summary`
   std::vector<SweptCurve> curves; ///< of samples (has_samples()); else empty
-  std::vector<AnswerColumn> answers; ///< of samples: what the case asks
+  std::vector<AnswerColumn> answers;     ///< of samples: what the case asks
+  double contact_modulus = not_a_number; ///< [Pa]
 
   bool has_result() const { return status != "missing"; }
 };

@@ -182,6 +182,7 @@ TEST_F(Maps, ArePressedWithTheSameRoundLoads) {
   }
   const std::string page = text_of(folder / "all/report.html");
   EXPECT_NE(page.find("over 2 maps (mean"), std::string::npos);
+  EXPECT_NE(page.find("2 maps, E* = 2 GPa."), std::string::npos);
   EXPECT_NE(page.find("Leak rate of water at 100 kPa along x: "),
             std::string::npos);
   EXPECT_LT(table.find("leak_rate_y"), table.find("flow_factor_x"));
