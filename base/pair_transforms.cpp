@@ -71,6 +71,7 @@ struct PairTransforms<Real>::Plans {
 template <class Real>
 PairTransforms<Real>::PairTransforms(const Grid& grid, int rows, int width)
     : width_(static_cast<std::size_t>(grid.points_x)),
+      n_low_((width_ + 1) / 2),
       held_rows_(static_cast<std::size_t>(rows)),
       held_width_(static_cast<std::size_t>(width)),
       pair_stride_(rounded_up(width_ + 1)),
@@ -82,39 +83,70 @@ template <class Real>
 PairTransforms<Real>::~PairTransforms() = default;
 
 template <class Real>
-std::size_t PairTransforms<Real>::spectrum_size() const {
-  return pair_stride_ * ((held_rows_ + 1) / 2);
+std::size_t PairTransforms<Real>::size_beyond_field() const {
+  if (held_rows_ % 2 == 0 && held_width_ >= width_)
+    return 0;
+  if (held_rows_ % 2 == 0 && held_width_ >= n_low_)
+    return n_pairs() * (width_ - n_low_ + (step() > 0 ? 0 : 1));
+  return spectrum_size();
 }
 
-/// Calls do_pair(first node, whether there is no second row, rows, modes).
+template <class Real>
+auto PairTransforms<Real>::spectrum_in(std::span<Real> field,
+                                       Complex* beyond) const -> Spectrum {
+  const std::size_t size = size_beyond_field();
+  if (size == spectrum_size())
+    return spectrum_in(beyond);
+  // std::complex allows this, the other way round too on all compilers.
+  auto* const own = reinterpret_cast<Complex*>(field.data());
+  if (size == 0)
+    return {own, held_width_, own + n_low_, held_width_};
+  return {own, held_width_, beyond, size / n_pairs()};
+}
+
+template <class Real>
+auto PairTransforms<Real>::place_of(const Spectrum& spectrum,
+                                    std::size_t k) const -> Place {
+  if (k < n_low_)
+    return {spectrum.low, spectrum.low_stride, k, n_low_};
+  return {spectrum.high, spectrum.high_stride, k - n_low_, width_ - n_low_};
+}
+
+/// Calls do_pair(pair, first node, whether there is no second row, memory for
+/// the rows, memory for the modes).
 template <class Real>
 template <class DoPair>
 void PairTransforms<Real>::each_pair(int threads, Complex* rows,
-                                     Complex* spectrum,
                                      const DoPair& do_pair) const {
-  const int pairs = static_cast<int>((held_rows_ + 1) / 2);
+  const int pairs = static_cast<int>(n_pairs());
   const int turns = (pairs + pairs_a_turn - 1) / pairs_a_turn;
   parallel_turns(turns, threads, [&](int turn, int worker) {
-    Complex* const own = rows + static_cast<std::size_t>(worker) * pair_stride_;
+    Complex* const own =
+        rows + static_cast<std::size_t>(worker) * pair_scratch();
     const int end = std::min(pairs, (turn + 1) * pairs_a_turn);
     for (int pair = turn * pairs_a_turn; pair < end; ++pair) {
       const auto at = static_cast<std::size_t>(pair);
-      do_pair(2 * at * held_width_, 2 * at + 1 == held_rows_, own,
-              spectrum + at * pair_stride_);
+      do_pair(at, 2 * at * held_width_, 2 * at + 1 == held_rows_, own,
+              own + pair_stride_);
     }
   });
 }
 
 template <class Real>
 void PairTransforms<Real>::forward(std::span<const Real> field, int threads,
-                                   Complex* rows, Complex* spectrum) const {
+                                   Complex* rows,
+                                   const Spectrum& spectrum) const {
   each_pair(
-      threads, rows, spectrum,
-      [&](std::size_t first, bool is_single, Complex* both, Complex* modes) {
+      threads, rows,
+      [&](std::size_t pair, std::size_t first, bool is_single, Complex* both,
+          Complex* modes) {
+        Complex* const low = spectrum.low + pair * spectrum.low_stride;
+        Complex* const high = spectrum.high + pair * spectrum.high_stride;
         const Real* const one = &field[first];
         if (std::all_of(one, one + (is_single ? 1 : 2) * held_width_,
                         [](Real value) { return value == Real{0}; })) {
-          std::fill_n(modes, pair_stride_, Complex{});
+          std::fill_n(low, n_low_, Complex{});
+          std::fill_n(high, width_ - n_low_, Complex{});
           return;
         }
         if (is_single)
@@ -125,71 +157,108 @@ void PairTransforms<Real>::forward(std::span<const Real> field, int threads,
             both[ix] = {one[ix], one[held_width_ + ix]};
         std::fill(both + held_width_, both + width_, Complex{});
         Plans::Library::columns(plans_->pair, as_fftw(both), as_fftw(modes));
-        // Z(-k) is then at width - k for every k.
-        modes[width_] = modes[0];
+        const std::size_t shift = shift_of(pair);
+        std::rotate_copy(modes, modes + (n_low_ - shift), modes + n_low_, low);
+        std::rotate_copy(modes + n_low_, modes + (width_ - shift),
+                         modes + width_, high);
       });
 }
 
 template <class Real>
-void PairTransforms<Real>::backward(Complex* spectrum, int threads,
+void PairTransforms<Real>::backward(const Spectrum& spectrum, int threads,
                                     Complex* rows,
                                     std::span<Real> answer) const {
-  each_pair(
-      threads, rows, spectrum,
-      [&](std::size_t first, bool is_single, Complex* both, Complex* modes) {
-        Plans::Library::columns(plans_->pair_back, as_fftw(modes),
-                                as_fftw(both));
-        Real* const one = &answer[first];
-        for (std::size_t ix = 0; ix < held_width_; ++ix)
-          one[ix] = both[ix].real();
-        if (!is_single)
-          for (std::size_t ix = 0; ix < held_width_; ++ix)
-            one[held_width_ + ix] = both[ix].imag();
-      });
+  each_pair(threads, rows,
+            [&](std::size_t pair, std::size_t first, bool is_single,
+                Complex* both, Complex* modes) {
+              const Complex* const low =
+                  spectrum.low + pair * spectrum.low_stride;
+              const Complex* const high =
+                  spectrum.high + pair * spectrum.high_stride;
+              const std::size_t shift = shift_of(pair);
+              std::rotate_copy(low, low + shift, low + n_low_, modes);
+              std::rotate_copy(high, high + shift, high + (width_ - n_low_),
+                               modes + n_low_);
+              Plans::Library::columns(plans_->pair_back, as_fftw(modes),
+                                      as_fftw(both));
+              Real* const one = &answer[first];
+              for (std::size_t ix = 0; ix < held_width_; ++ix)
+                one[ix] = both[ix].real();
+              if (!is_single)
+                for (std::size_t ix = 0; ix < held_width_; ++ix)
+                  one[held_width_ + ix] = both[ix].imag();
+            });
+}
+
+/// Calls change(Z(k), Z(-k), two values of the column k) for n columns and each
+/// pair of rows.
+template <class Real>
+template <class Value, class Change>
+void PairTransforms<Real>::each_mode(const Spectrum& spectrum,
+                                     std::size_t first, std::size_t n,
+                                     std::size_t stride, Value* columns,
+                                     const Change& change) const {
+  if (first < n_low_ && first + n > n_low_) { // the last is in the other half
+    each_mode(spectrum, n_low_, 1, stride, columns + (n - 1) * stride, change);
+    --n;
+  }
+  const Place plus = place_of(spectrum, first);
+  const Place minus = place_of(spectrum, (width_ - first) % width_);
+  const Place further = place_of(spectrum, width_ - first - 1);
+  const std::size_t plus_step = plus.stride + step();
+  const std::size_t minus_step = minus.stride + step();
+  const std::size_t further_step = further.stride + step();
+  for (std::size_t pair = 0; pair < n_pairs();) {
+    const std::size_t shift = shift_of(pair);
+    std::size_t end = n_pairs(); // or where one begins another round
+    for (const Place* place : {&plus, &minus, &further})
+      if (step() > 0)
+        end = std::min(
+            end, pair + (place->size - place->slot(shift) + block_width - 1) /
+                            block_width);
+    Complex* own = plus.of(pair, shift);
+    Complex* opposite = minus.of(pair, shift);
+    Complex* next = further.of(pair, shift); // opposite to the second column
+    for (; pair < end; ++pair) {
+      const std::size_t ahead = pair + pairs_ahead < end ? pairs_ahead : 0;
+      __builtin_prefetch(own + ahead * plus_step);
+      __builtin_prefetch(opposite + ahead * minus_step);
+      __builtin_prefetch(next + ahead * further_step - (block_width - 2));
+      Value* column = columns + 2 * pair;
+      change(own[0], *opposite, column);
+      for (std::size_t k = 1; k < n; ++k)
+        change(own[k], *(next + 1 - k), column += stride);
+      own += plus_step;
+      opposite += minus_step;
+      next += further_step;
+    }
+  }
 }
 
 template <class Real>
-void PairTransforms<Real>::separate(const Complex* spectrum, std::size_t first,
+void PairTransforms<Real>::separate(const Spectrum& spectrum, std::size_t first,
                                     std::size_t n, std::size_t stride,
                                     Complex* columns) const {
-  const Real half = Real{0.5};
-  const std::size_t last_pair = (held_rows_ - 1) / 2;
-  for (std::size_t jy = 0; jy < held_rows_; jy += 2) {
-    const Complex* const modes = spectrum + jy / 2 * pair_stride_;
-    const Complex* const plus = modes + first;
-    const Complex* const minus = modes + (width_ - first);
-    const Complex* const ahead =
-        spectrum + std::min(jy / 2 + pairs_ahead, last_pair) * pair_stride_;
-    __builtin_prefetch(ahead + first);
-    __builtin_prefetch(ahead + (width_ - first + 1 - n));
-    __builtin_prefetch(ahead + std::min(width_ - first, pair_stride_ - 1));
-    Complex* column = columns + jy;
-    for (std::size_t k = 0; k < n; ++k, column += stride) {
-      const Complex z = plus[k];
-      const Complex mirror = *(minus - k);
-      column[0] = {half * (z.real() + mirror.real()),
-                   half * (z.imag() - mirror.imag())};
-      column[1] = {half * (z.imag() + mirror.imag()),
-                   half * (mirror.real() - z.real())};
-    }
-  }
+  each_mode(spectrum, first, n, stride, columns,
+            [half = Real{0.5}](const Complex& z, const Complex& mirror,
+                               Complex* column) {
+              column[0] = {half * (z.real() + mirror.real()),
+                           half * (z.imag() - mirror.imag())};
+              column[1] = {half * (z.imag() + mirror.imag()),
+                           half * (mirror.real() - z.real())};
+            });
 }
 
 template <class Real>
 void PairTransforms<Real>::join(const Complex* columns, std::size_t first,
                                 std::size_t n, std::size_t stride,
-                                Complex* spectrum) const {
-  for (std::size_t jy = 0; jy < held_rows_; jy += 2) {
-    Complex* const modes = spectrum + jy / 2 * pair_stride_;
-    Complex* const plus = modes + first;
-    Complex* const minus = modes + (width_ - first);
-    const Complex* column = columns + jy;
-    for (std::size_t k = 0; k < n; ++k, column += stride) {
-      const Complex a = column[0], b = column[1];
-      *(minus - k) = {a.real() + b.imag(), b.real() - a.imag()};
-      plus[k] = {a.real() - b.imag(), b.real() + a.imag()};
-    }
-  }
+                                const Spectrum& spectrum) const {
+  each_mode(spectrum, first, n, stride, columns,
+            [](Complex& z, Complex& mirror, const Complex* column) {
+              const Complex a = column[0], b = column[1];
+              mirror = {a.real() + b.imag(), b.real() - a.imag()};
+              z = {a.real() - b.imag(), b.real() + a.imag()};
+            });
 }
 
 template <class Real>

@@ -39,8 +39,8 @@ public:
   PairTransforms(const PairTransforms&) = delete;
   PairTransforms& operator=(const PairTransforms&) = delete;
 
-  /// Complex values of one pair of rows.
-  std::size_t pair_stride() const { return pair_stride_; }
+  /// Complex values of scratch memory that a thread needs for a pair of rows.
+  std::size_t pair_scratch() const { return 2 * pair_stride_; }
 
   /// Number of columns of the half spectrum, rounded up to blocks.
   std::size_t n_columns() const { return n_columns_; }
@@ -48,30 +48,54 @@ public:
   /// Values of one column of a block.
   std::size_t column_stride() const { return column_stride_; }
 
-  /// Number of complex values of all pairs.
-  std::size_t spectrum_size() const;
+  /// Where the modes of the pairs are: of each pair the first half, rounded up,
+  /// in one array, and the others in another one.
+  struct Spectrum {
+    Complex* low;
+    std::size_t low_stride; ///< from one pair to the next
+    Complex* high;
+    std::size_t high_stride;
+  };
+
+  /// Number of complex values of a spectrum in memory of its own.
+  std::size_t spectrum_size() const { return n_pairs() * pair_stride_; }
+
+  /// @param memory  spectrum_size() values
+  Spectrum spectrum_in(Complex* memory) const {
+    return {memory, pair_stride_, memory + n_low_, pair_stride_};
+  }
+
+  /// Number of complex values of the modes that do not fit into a field: none
+  /// if it has the width of the grid.
+  std::size_t size_beyond_field() const;
+
+  /// The spectrum in the memory of a field of rows * width values, of which
+  /// each pair of rows holds its own modes.
+  /// @param beyond  size_beyond_field() values
+  Spectrum spectrum_in(std::span<Real> field, Complex* beyond) const;
 
   /// Transforms the rows in pairs.
   /// @param field     rows * width values
-  /// @param rows      pair_stride() values of scratch memory for each thread
-  /// @param spectrum  spectrum_size() values, overwritten
+  /// @param rows      pair_scratch() values of scratch memory for each thread
+  /// @param spectrum  overwritten; may be in the memory of the field
   void forward(std::span<const Real> field, int threads, Complex* rows,
-               Complex* spectrum) const;
+               const Spectrum& spectrum) const;
 
-  /// The inverse; the spectrum is destroyed.
-  void backward(Complex* spectrum, int threads, Complex* rows,
+  /// The inverse; the spectrum is destroyed, and may be in the memory of the
+  /// answer.
+  void backward(const Spectrum& spectrum, int threads, Complex* rows,
                 std::span<Real> answer) const;
 
   /// Separates the rows of each pair, for n columns from the column `first`.
   /// @param stride  values from one column to the next, at least the number of
   ///                rows that are held, rounded up to an even number
-  void separate(const Complex* spectrum, std::size_t first, std::size_t n,
+  void separate(const Spectrum& spectrum, std::size_t first, std::size_t n,
                 std::size_t stride, Complex* columns) const;
 
   /// The inverse of separate(): Z(k) = A(k) + i B(k), Z(-k) = conj A(k) + i
   /// conj B(k).
   void join(const Complex* columns, std::size_t first, std::size_t n,
-            std::size_t stride, Complex* spectrum) const;
+            std::size_t stride, const Spectrum& spectrum) const;
 
   /// Transforms a block of block_width * column_stride() values.
   void transform_columns(Complex* columns) const;
@@ -86,11 +110,49 @@ public:
 
 private:
   struct Plans;
+
+  /// One mode of each pair.
+  struct Place {
+    Complex* half;            ///< of the first pair
+    std::size_t stride;       ///< from one pair to the next
+    std::size_t number, size; ///< in the half, and of it
+
+    /// Where it is in the half of a pair.
+    std::size_t slot(std::size_t shift) const {
+      return number + shift < size ? number + shift : number + shift - size;
+    }
+
+    Complex* of(std::size_t pair, std::size_t shift) const {
+      return half + pair * stride + slot(shift);
+    }
+  };
+
+  Place place_of(const Spectrum& spectrum, std::size_t k) const;
+
+  /// Slots by which the modes of a pair are further on than those of the one
+  /// before, round the end of their half: at distances of a power of two, those
+  /// of one column would take turns in a few lines of the cache. Blocks of
+  /// columns stay together.
+  std::size_t step() const {
+    return n_low_ % block_width == 0 && 2 * n_low_ == width_ ? block_width : 0;
+  }
+
+  std::size_t shift_of(std::size_t pair) const {
+    return step() * pair % n_low_;
+  }
+
+  template <class Value, class Change>
+  void each_mode(const Spectrum& spectrum, std::size_t first, std::size_t n,
+                 std::size_t stride, Value* columns,
+                 const Change& change) const;
+
+  std::size_t n_pairs() const { return (held_rows_ + 1) / 2; }
+
   template <class DoPair>
-  void each_pair(int threads, Complex* rows, Complex* spectrum,
-                 const DoPair& do_pair) const;
+  void each_pair(int threads, Complex* rows, const DoPair& do_pair) const;
 
   std::size_t width_; ///< points_x of the grid
+  std::size_t n_low_; ///< modes of the first half
   std::size_t held_rows_, held_width_;
   std::size_t pair_stride_, n_columns_, column_stride_;
   std::unique_ptr<Plans> plans_;

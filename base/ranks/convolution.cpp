@@ -63,31 +63,33 @@ void Convolution<Real>::mirror(Real* column) const {
 template <class Real>
 void Convolution<Real>::apply(std::span<const Real> field, const Symbol& symbol,
                               std::span<Real> answer) {
-  transform(
-      field,
-      [&](std::size_t k, Real* memory) {
-        std::copy_n(&symbol.values_[k * half_height()], half_height(), memory);
-      },
-      answer);
+  transform(field,
+            [&](std::size_t k, Real* memory) {
+              std::copy_n(&symbol.values_[k * half_height()], half_height(),
+                          memory);
+            },
+            answer, {});
 }
 
 template <class Real>
 void Convolution<Real>::apply(std::span<const Real> field,
                               const EvenColumn& multipliers,
-                              std::span<Real> answer) {
+                              std::span<Real> answer,
+                              std::span<std::byte> lent) {
   transform(
       field,
       [&](std::size_t k, Real* memory) {
         take_column(static_cast<int>(columns_.first + k), multipliers, memory);
       },
-      answer);
+      answer, lent);
 }
 
 template <class Real>
 template <class PutMultipliers>
 void Convolution<Real>::transform(std::span<const Real> field,
                                   const PutMultipliers& put_multipliers,
-                                  std::span<Real> answer) {
+                                  std::span<Real> answer,
+                                  std::span<std::byte> lent) {
   if (slabs_) {
     slabs_->forward(field);
     each_slab_column([&](std::size_t k, std::span<Complex> column) {
@@ -105,19 +107,20 @@ void Convolution<Real>::transform(std::span<const Real> field,
   const std::size_t stride = transforms_->column_stride();
   const std::size_t block_size = block_width * stride;
   scratch_.multipliers.resize(static_cast<std::size_t>(threads_) * block_size);
-  transforms_->forward(field, threads_, scratch_.pairs.data(),
-                       scratch_.spectrum.data());
-  each_block({}, [&](std::size_t first, std::size_t n, Complex* columns,
-                     std::size_t worker) {
-    Real* const multipliers = &scratch_.multipliers[worker * block_size];
-    for (std::size_t k = 0; k < n; ++k) {
-      put_multipliers(first + k, multipliers + k * stride);
-      mirror(multipliers + k * stride);
-    }
-    transforms_->convolve(columns, multipliers);
-  });
-  transforms_->backward(scratch_.spectrum.data(), threads_,
-                        scratch_.pairs.data(), answer);
+  const Spectrum spectrum = spectrum_in(answer, lent);
+  transforms_->forward(field, threads_, scratch_.pairs.data(), spectrum);
+  each_block(spectrum, {},
+             [&](std::size_t first, std::size_t n, Complex* columns,
+                 std::size_t worker) {
+               Real* const multipliers =
+                   &scratch_.multipliers[worker * block_size];
+               for (std::size_t k = 0; k < n; ++k) {
+                 put_multipliers(first + k, multipliers + k * stride);
+                 mirror(multipliers + k * stride);
+               }
+               transforms_->convolve(columns, multipliers);
+             });
+  transforms_->backward(spectrum, threads_, scratch_.pairs.data(), answer);
 }
 
 template <class Real>
@@ -134,15 +137,16 @@ void Convolution<Real>::synthesise(const FillColumn& fill,
   assert(answer.size() == held_.size());
   prepare();
   const std::size_t stride = transforms_->column_stride();
-  each_block({false, true}, [&](std::size_t first, std::size_t n,
-                                Complex* columns, std::size_t) {
-    std::fill(columns, columns + block_width * stride, Complex{});
-    for (std::size_t k = 0; k < n; ++k)
-      fill(static_cast<int>(first + k), {columns + k * stride, height()});
-    transforms_->transform_columns_back(columns);
-  });
-  transforms_->backward(scratch_.spectrum.data(), threads_,
-                        scratch_.pairs.data(), answer);
+  const Spectrum spectrum = spectrum_in(answer);
+  each_block(
+      spectrum, {false, true},
+      [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
+        std::fill(columns, columns + block_width * stride, Complex{});
+        for (std::size_t k = 0; k < n; ++k)
+          fill(static_cast<int>(first + k), {columns + k * stride, height()});
+        transforms_->transform_columns_back(columns);
+      });
+  transforms_->backward(spectrum, threads_, scratch_.pairs.data(), answer);
 }
 
 template <class Real>
@@ -158,14 +162,16 @@ void Convolution<Real>::analyse(std::span<const Real> field,
   assert(field.size() == held_.size());
   prepare();
   const std::size_t stride = transforms_->column_stride();
-  transforms_->forward(field, threads_, scratch_.pairs.data(),
-                       scratch_.spectrum.data());
-  each_block({true, false}, [&](std::size_t first, std::size_t n,
-                                Complex* columns, std::size_t) {
-    transforms_->transform_columns(columns);
-    for (std::size_t k = 0; k < n; ++k)
-      take(static_cast<int>(first + k), {columns + k * stride, height()});
-  });
+  scratch_.beyond.resize(transforms_->spectrum_size());
+  const Spectrum spectrum = transforms_->spectrum_in(scratch_.beyond.data());
+  transforms_->forward(field, threads_, scratch_.pairs.data(), spectrum);
+  each_block(
+      spectrum, {true, false},
+      [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
+        transforms_->transform_columns(columns);
+        for (std::size_t k = 0; k < n; ++k)
+          take(static_cast<int>(first + k), {columns + k * stride, height()});
+      });
 }
 
 template <class Real>
@@ -176,25 +182,35 @@ void Convolution<Real>::change(std::span<const Real> field,
          answer.size() == held_.size());
   prepare();
   const std::size_t stride = transforms_->column_stride();
-  transforms_->forward(field, threads_, scratch_.pairs.data(),
-                       scratch_.spectrum.data());
+  const Spectrum spectrum = spectrum_in(answer);
+  transforms_->forward(field, threads_, scratch_.pairs.data(), spectrum);
   each_block(
-      {}, [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
+      spectrum, {},
+      [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
         transforms_->transform_columns(columns);
         for (std::size_t k = 0; k < n; ++k)
           change(static_cast<int>(first + k), {columns + k * stride, height()});
         transforms_->transform_columns_back(columns);
       });
-  transforms_->backward(scratch_.spectrum.data(), threads_,
-                        scratch_.pairs.data(), answer);
+  transforms_->backward(spectrum, threads_, scratch_.pairs.data(), answer);
 }
 
 template <class Real>
 void Convolution<Real>::prepare() {
   const auto workers = static_cast<std::size_t>(threads_);
-  scratch_.pairs.resize(workers * transforms_->pair_stride());
+  scratch_.pairs.resize(workers * transforms_->pair_scratch());
   scratch_.columns.resize(workers * block_width * transforms_->column_stride());
-  scratch_.spectrum.resize(transforms_->spectrum_size());
+}
+
+template <class Real>
+auto Convolution<Real>::spectrum_in(std::span<Real> answer,
+                                    std::span<std::byte> lent) -> Spectrum {
+  const std::size_t size = transforms_->size_beyond_field();
+  if (lent.size() >= size * sizeof(Complex))
+    return transforms_->spectrum_in(answer,
+                                    reinterpret_cast<Complex*>(lent.data()));
+  scratch_.beyond.resize(size);
+  return transforms_->spectrum_in(answer, scratch_.beyond.data());
 }
 
 template <class Real>
@@ -209,9 +225,9 @@ void Convolution<Real>::each_slab_column(const Change& change) {
 
 template <class Real>
 template <class Change>
-void Convolution<Real>::each_block(const Ways& ways, const Change& change) {
+void Convolution<Real>::each_block(const Spectrum& spectrum, const Ways& ways,
+                                   const Change& change) {
   const std::size_t stride = transforms_->column_stride();
-  Complex* const spectrum = scratch_.spectrum.data();
   parallel_turns(static_cast<int>(transforms_->n_columns() / block_width),
                  threads_, [&](int turn, int worker_number) {
                    const auto worker = static_cast<std::size_t>(worker_number);

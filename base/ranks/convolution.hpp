@@ -9,6 +9,7 @@
 #include "base/ranks/slab_transforms.hpp"
 
 #include <complex>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -34,6 +35,10 @@ using EvenColumn = std::function<void(int jx, std::span<double> of_jy)>;
 /// only and be 0 elsewhere, as in a convolution without periodic images: the
 /// rows of zeros are then neither stored nor transformed, and the answer is
 /// computed on the same part of the grid.
+///
+/// The spectrum of one process is in the memory of the answer. Of a field that
+/// occupies half of a line, half of the spectrum is in scratch memory, and of
+/// one with an odd number of rows all of it.
 ///
 /// Each instance has scratch memory of its own, which copies do not take over:
 /// use one per thread. Copies share the plans of the transforms, and on ranks
@@ -78,8 +83,12 @@ public:
 
   /// The same with multipliers that are found when they are needed and not
   /// stored.
+  /// @param lent  memory that is used in place of own scratch memory for what
+  ///              the answer cannot hold, if it is large enough: as large as a
+  ///              field on a quarter of a grid of multiples of 16 points. It
+  ///              may be that of the field, which is then lost.
   void apply(std::span<const Real> field, const EvenColumn& multipliers,
-             std::span<Real> answer);
+             std::span<Real> answer, std::span<std::byte> lent = {});
 
   using Complex = std::complex<Real>;
 
@@ -112,10 +121,6 @@ public:
   void change(std::span<const Real> field, const ChangeColumn& change,
               std::span<Real> answer);
 
-  /// Frees the scratch memory of this process, which the next apply() allocates
-  /// again.
-  void free_scratch() { scratch_ = {}; }
-
 private:
   std::size_t height() const {
     return static_cast<std::size_t>(grid_.points_y);
@@ -133,7 +138,8 @@ private:
   ///                         puts multipliers jy = 0..points_y/2 there
   template <class PutMultipliers>
   void transform(std::span<const Real> field,
-                 const PutMultipliers& put_multipliers, std::span<Real> answer);
+                 const PutMultipliers& put_multipliers, std::span<Real> answer,
+                 std::span<std::byte> lent);
 
   /// What happens to the columns: they come from the rows, and their values are
   /// returned to the rows.
@@ -141,11 +147,16 @@ private:
     bool from_rows = true, to_rows = true;
   };
 
+  using Spectrum = typename PairTransforms<Real>::Spectrum;
+
   void prepare();
+  /// In the memory of the answer as far as it holds a spectrum.
+  Spectrum spectrum_in(std::span<Real> answer, std::span<std::byte> lent = {});
   /// Calls change(first own column, their number, columns, worker) for each
   /// block of columns of this process alone.
   template <class Change>
-  void each_block(const Ways& ways, const Change& change);
+  void each_block(const Spectrum& spectrum, const Ways& ways,
+                  const Change& change);
   /// Calls change(own column, column) for each column of this rank.
   template <class Change>
   void each_slab_column(const Change& change);
@@ -162,7 +173,7 @@ private:
 
   /// Memory of one application.
   struct Scratch {
-    std::vector<Complex> spectrum; ///< of all rows
+    std::vector<Complex> beyond;   ///< modes that no answer holds
     std::vector<Complex> pairs;    ///< one pair per thread
     std::vector<Complex> columns;  ///< one block per thread
     std::vector<Real> multipliers; ///< likewise

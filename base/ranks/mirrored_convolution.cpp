@@ -68,45 +68,6 @@ void MirroredConvolution<Real>::take_columns(int jx,
   }
 }
 
-template <class Real>
-auto MirroredConvolution<Real>::arranged(const EvenColumn& multipliers) const
-    -> Symbol {
-  const std::size_t columns = quarter_.half_spectrum_columns();
-  Symbol symbol;
-  symbol.values_.resize(columns * 2 * height());
-  parallel_rows(static_cast<int>(columns), convolution_.threads(), [&](int jx) {
-    take_columns(jx, multipliers,
-                 &symbol.values_[static_cast<std::size_t>(jx) * 2 * height()]);
-  });
-  return symbol;
-}
-
-template <class Real>
-void MirroredConvolution<Real>::apply(std::span<const Real> field,
-                                      const Symbol& symbol,
-                                      std::span<Real> answer) {
-  transform(
-      field,
-      [&](int jx, std::vector<Real>& /*memory*/) {
-        return &symbol.values_[static_cast<std::size_t>(jx) * 2 * height()];
-      },
-      answer);
-}
-
-template <class Real>
-void MirroredConvolution<Real>::apply(std::span<const Real> field,
-                                      const EvenColumn& multipliers,
-                                      std::span<Real> answer) {
-  transform(
-      field,
-      [&](int jx, std::vector<Real>& memory) -> const Real* {
-        memory.resize(2 * height());
-        take_columns(jx, multipliers, memory.data());
-        return memory.data();
-      },
-      answer);
-}
-
 // With P = w_y V(j_y) and Q = conj(w_y) V(n_y - j_y), T(j_y) = w_x (P + Q)/2
 // and T(n_y - j_y) = i w_x (P - Q)/2.
 template <class Real>
@@ -138,10 +99,9 @@ void MirroredConvolution<Real>::multiply(int jx, const Real* pair,
 }
 
 template <class Real>
-template <class PairOf>
-void MirroredConvolution<Real>::transform(std::span<const Real> field,
-                                          const PairOf& pair_of,
-                                          std::span<Real> answer) {
+void MirroredConvolution<Real>::apply(std::span<const Real> field,
+                                      const EvenColumn& multipliers,
+                                      std::span<Real> answer) {
   assert(field.size() == quarter_.size() && answer.size() == quarter_.size());
   reordered_.resize(field.size());
   const int width = quarter_.points_x;
@@ -159,8 +119,9 @@ void MirroredConvolution<Real>::transform(std::span<const Real> field,
   convolution_.change(
       reordered_,
       [&](int jx, std::span<Complex> column) {
-        std::vector<Real> memory;
-        multiply(jx, pair_of(jx, memory), column.data());
+        std::vector<Real> pair(2 * height());
+        take_columns(jx, multipliers, pair.data());
+        multiply(jx, pair.data(), column.data());
       },
       reordered_);
   each_row([&](std::size_t at, const Real* from) {

@@ -32,31 +32,15 @@ Grid quarter_of(const Grid& cell);
 template <class Real>
 class MirroredConvolution {
 public:
-  /// Multipliers of the modes of the quarter.
-  class Symbol {
-    friend class MirroredConvolution;
-    std::vector<Real> values_;
-
-  public:
-    bool is_empty() const { return values_.empty(); }
-  };
-
   /// @param cell     of even numbers of points
   /// @param threads  >= 1
   explicit MirroredConvolution(const Grid& cell, int threads = 1);
 
-  /// @param multipliers  of the modes of the cell
-  Symbol arranged(const EvenColumn& multipliers) const;
-
   /// Applies the convolution.
-  /// @param field   of the quarter
-  /// @param answer  as many values, overwritten; may be `field`
+  /// @param field        of the quarter
+  /// @param multipliers  of the modes of the cell
+  /// @param answer       as many values, overwritten; may be `field`
   /// @par Accuracy  roundoff of Real, as Convolution
-  void apply(std::span<const Real> field, const Symbol& symbol,
-             std::span<Real> answer);
-
-  /// The same with multipliers that are found when they are needed and not
-  /// stored.
   void apply(std::span<const Real> field, const EvenColumn& multipliers,
              std::span<Real> answer);
 
@@ -72,10 +56,6 @@ private:
   void take_columns(int jx, const EvenColumn& multipliers, Real* pair) const;
   /// Multiplies the modes of a column of V.
   void multiply(int jx, const Real* pair, Complex* column) const;
-  /// @param pair_of  called with jx, returns what take_columns() finds
-  template <class PairOf>
-  void transform(std::span<const Real> field, const PairOf& pair_of,
-                 std::span<Real> answer);
 
   Grid quarter_;
   Convolution<Real> convolution_;        ///< on the quarter

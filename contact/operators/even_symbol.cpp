@@ -38,23 +38,25 @@ private:
 
 } // namespace
 
+/// With memory for the values.
 EvenSymbol::EvenSymbol(const Grid& grid, SpectrumColumns own)
-    : grid_(grid), own_(own), values_(own.count * height()) {}
+    : grid_(grid),
+      own_(own),
+      stride_(height()),
+      values_(std::make_shared<double[]>(own.count * stride_)) {}
 
 EvenSymbol::EvenSymbol(const Grid& grid, const KernelRow& kernel, int threads)
     : EvenSymbol(grid, all_columns(grid)) {
-  const std::size_t rows = height();
   const EvenTransform along_x(grid.points_x), along_y(grid.points_y);
-  parallel_rows(static_cast<int>(rows), threads, [&](int row) {
+  parallel_rows(static_cast<int>(stride_), threads, [&](int row) {
     along_x([&](std::span<double> half) { kernel(row, half); },
             [&](std::span<const double> found) {
               for (std::size_t jx = 0; jx < found.size(); ++jx)
-                values_[jx * rows + static_cast<std::size_t>(row)] = found[jx];
+                values_[jx * stride_ + static_cast<std::size_t>(row)] =
+                    found[jx];
             });
   });
-  parallel_rows(static_cast<int>(own_.count), threads, [&](int jx) {
-    const auto column =
-        std::span(values_).subspan(static_cast<std::size_t>(jx) * rows, rows);
+  each_own_column(threads, [&](int /*jx*/, std::span<double> column) {
     along_y(
         [&](std::span<double> half) {
           std::ranges::copy(column, half.begin());
@@ -68,18 +70,31 @@ EvenSymbol::EvenSymbol(const Grid& grid, const KernelRow& kernel, int threads)
 EvenSymbol::EvenSymbol(const Grid& grid, const EvenColumn& columns,
                        SpectrumColumns own, int threads)
     : EvenSymbol(grid, own) {
-  parallel_rows(static_cast<int>(own.count), threads, [&](int k) {
-    columns(static_cast<int>(own.first) + k,
-            std::span(values_).subspan(static_cast<std::size_t>(k) * height(),
-                                       height()));
+  each_own_column(threads, columns);
+}
+
+/// Calls do_column(jx, its values) for each column of this process.
+template <class DoColumn>
+void EvenSymbol::each_own_column(int threads, const DoColumn& do_column) {
+  parallel_rows(static_cast<int>(own_.count), threads, [&](int k) {
+    do_column(
+        static_cast<int>(own_.first) + k,
+        std::span(&values_[static_cast<std::size_t>(k) * stride_], height()));
   });
 }
 
+double EvenSymbol::largest() const {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < own_.count; ++k)
+    largest = std::max(
+        largest, std::ranges::max(column(static_cast<int>(own_.first + k))));
+  return largest;
+}
+
 EvenSymbol EvenSymbol::coarsened(const Grid& coarse) const {
-  EvenSymbol kept(coarse, all_columns(coarse));
-  auto to = kept.values_.begin();
-  for (int jx = 0; jx <= coarse.points_x / 2; ++jx)
-    to = std::ranges::copy(column(jx).first(kept.height()), to).out;
+  EvenSymbol kept = *this;
+  kept.grid_ = coarse;
+  kept.own_ = all_columns(coarse);
   return kept;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace asperity::contact {
 
 /// Some columns of a symbol that is real and even in q_x and q_y, as the
 /// transform of a real and even kernel is: the values of jx = 0..points_x/2 and
-/// jy = 0..points_y/2 are all. It is immutable.
+/// jy = 0..points_y/2 are all. It is immutable, and copies share the values.
 class EvenSymbol {
 public:
   /// The kernel at iy and ix = 0..points_x/2. Threads call it at the same time.
@@ -32,7 +33,8 @@ public:
   EvenSymbol(const Grid& grid, const EvenColumn& columns, SpectrumColumns own,
              int threads);
 
-  /// The part that a coarser grid resolves, if all columns are there.
+  /// The part that a coarser grid resolves, if all columns are there. It shares
+  /// the values.
   EvenSymbol coarsened(const Grid& coarse) const;
 
   const Grid& grid() const { return grid_; }
@@ -40,8 +42,9 @@ public:
   /// The values for jy = 0..points_y/2.
   /// @param jx  of a column of this process
   std::span<const double> column(int jx) const {
-    return std::span(values_).subspan(
-        (static_cast<std::size_t>(jx) - own_.first) * height(), height());
+    return {values_.get() +
+                (static_cast<std::size_t>(jx) - own_.first) * stride_,
+            height()};
   }
 
   bool has_column(int jx) const {
@@ -49,11 +52,14 @@ public:
     return at >= own_.first && at < own_.first + own_.count;
   }
 
-  /// The values of all columns of this process, one after the other.
-  std::span<const double> values() const { return values_; }
+  /// The largest value of this process; 0 if it has no column.
+  double largest() const;
 
 private:
   EvenSymbol(const Grid& grid, SpectrumColumns own);
+
+  template <class DoColumn>
+  void each_own_column(int threads, const DoColumn& do_column);
 
   /// Values of a column.
   std::size_t height() const {
@@ -62,7 +68,8 @@ private:
 
   Grid grid_;
   SpectrumColumns own_;
-  std::vector<double> values_; ///< height() of each own column
+  std::size_t stride_;               ///< values from one column to the next
+  std::shared_ptr<double[]> values_; ///< set by the constructors
 };
 
 /// The columns of a symbol, which must outlive them.
@@ -87,33 +94,17 @@ inline SpectrumColumns all_columns(const Grid& grid) {
   return {0, grid.half_spectrum_columns()};
 }
 
-/// The symbol of (C + c)^-1, which is found again when c changes. Transform is
-/// Convolution<float> or MirroredConvolution<float>.
-template <class Transform>
-class InverseSymbol {
-public:
-  using Symbol = typename Transform::Symbol;
-
-  /// @param convolution       always the same one
-  /// @param compliance        C [m/Pa] > 0 of the columns of this rank
-  /// @param local_compliance  c [m/Pa] >= 0
-  const Symbol& of(const Transform& convolution, const EvenColumn& compliance,
-                   double local_compliance) {
-    require_not_negative("local_compliance", local_compliance, "m/Pa");
-    if (local_compliance_ != local_compliance) {
-      symbol_ = convolution.arranged([&](int jx, std::span<double> of_jy) {
-        compliance(jx, of_jy);
-        for (double& value : of_jy)
-          value = 1.0 / (value + local_compliance);
-      });
-      local_compliance_ = local_compliance;
-    }
-    return symbol_;
-  }
-
-private:
-  double local_compliance_ = -1.0; ///< that of symbol_ [m/Pa]
-  Symbol symbol_;
-};
+/// The columns of (C + c)^-1.
+/// @param compliance        C [m/Pa] > 0; must outlive them
+/// @param local_compliance  c [m/Pa] >= 0
+inline EvenColumn inverse_columns_of(const EvenColumn& compliance,
+                                     double local_compliance) {
+  require_not_negative("local_compliance", local_compliance, "m/Pa");
+  return [&compliance, local_compliance](int jx, std::span<double> of_jy) {
+    compliance(jx, of_jy);
+    for (double& value : of_jy)
+      value = 1.0 / (value + local_compliance);
+  };
+}
 
 } // namespace asperity::contact

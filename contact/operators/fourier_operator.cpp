@@ -77,7 +77,6 @@ struct FourierOperator::Shared {
   std::optional<Wide> wide;
   double softest;    ///< largest compliance [m/Pa]
   double short_wave; ///< C at half the Nyquist wavevector [m/Pa]
-  Convolution<float>::Symbol symbol;
   mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
   mutable std::shared_ptr<const Shared> coarse = nullptr;
   mutable std::once_flag tiles_are_made;
@@ -90,8 +89,7 @@ struct FourierOperator::Shared {
         convolution(rows, threads),
         compliance(make(rows.grid(), convolution.columns())),
         softest(largest()),
-        short_wave(at_half_nyquist()),
-        symbol(convolution.arranged(columns_of(compliance))) {}
+        short_wave(at_half_nyquist()) {}
 
   /// On a surface with free boundaries.
   Shared(const Grid& grid, int threads, const Make& make)
@@ -103,8 +101,7 @@ struct FourierOperator::Shared {
             Convolution<float>(grid_with_margin(grid), threads),
             make(grid_with_margin(grid), all_columns(grid_with_margin(grid)))}),
         softest(largest()),
-        short_wave(at_half_nyquist()),
-        symbol(convolution.arranged(columns_of(compliance))) {}
+        short_wave(at_half_nyquist()) {}
 
   SurfaceTraits traits() const {
     return {.rows = rows,
@@ -118,11 +115,9 @@ struct FourierOperator::Shared {
   }
 
   double largest() const {
-    const std::span<const double> own = compliance.values();
     return compliance.grid().size() == 1 // there is only the uniform mode
                ? 1.0
-               : rank_max(rows.ranks(),
-                          own.empty() ? 0.0 : std::ranges::max(own));
+               : rank_max(rows.ranks(), compliance.largest());
   }
 
   std::shared_ptr<const TileOperator::Symbols> of_tiles() const {
@@ -241,16 +236,7 @@ std::unique_ptr<SurfaceOperator> FourierOperator::do_mirrored() const {
 
 void FourierOperator::do_displacement(std::span<const double> pressure,
                                       std::span<double> displacement) {
-  if (is_periodic()) {
-    exact_.apply(pressure, columns_of(shared_->compliance), displacement);
-    return;
-  }
-  // A step needs it two or three times: its spectrum, of 16 bytes per node, and
-  // those in single precision are not kept at the same time.
-  convolution_.free_scratch();
-  wide_convolution_->free_scratch();
-  exact_.apply(pressure, columns_of(shared_->compliance), displacement);
-  exact_.free_scratch();
+  exact_.apply(pressure, columns_of(shared_->compliance), displacement, lent());
 }
 
 void FourierOperator::do_pressure_of(std::span<const double> displacement,
@@ -265,19 +251,17 @@ void FourierOperator::do_pressure_of(std::span<const double> displacement,
 void FourierOperator::do_displacement_change(
     std::span<const float> pressure_change,
     std::span<float> displacement_change) {
-  convolution_.apply(pressure_change, shared_->symbol, displacement_change);
+  convolution_.apply(pressure_change, columns_of(shared_->compliance),
+                     displacement_change, lent());
 }
 
 void FourierOperator::do_pressure_estimate(std::span<const float> gap,
                                            double local_compliance,
                                            std::span<float> pressure) {
   if (!is_periodic() && gap.size() == wide_grid().size()) {
+    const EvenColumn compliance = columns_of(shared_->wide->compliance);
     wide_convolution_->apply(
-        gap,
-        wide_inverse_.of(*wide_convolution_,
-                         columns_of(shared_->wide->compliance),
-                         local_compliance),
-        pressure);
+        gap, inverse_columns_of(compliance, local_compliance), pressure);
     return;
   }
   // The compliance of the uniform mode is undefined on a periodic surface; that
@@ -288,8 +272,8 @@ void FourierOperator::do_pressure_estimate(std::span<const float> gap,
     if (jx == 0 && is_periodic())
       of_jy[0] = shared_->softest;
   };
-  convolution_.apply(
-      gap, inverse_.of(convolution_, compliance, local_compliance), pressure);
+  convolution_.apply(gap, inverse_columns_of(compliance, local_compliance),
+                     pressure);
 }
 
 } // namespace asperity::contact

@@ -99,7 +99,6 @@ private:
   Convolution<double> exact_;
   Convolution<float> convolution_;
   std::optional<Convolution<float>> wide_convolution_; ///< free boundaries
-  InverseSymbol<Convolution<float>> inverse_, wide_inverse_;
 };
 
 } // namespace asperity::contact

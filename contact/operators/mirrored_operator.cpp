@@ -47,9 +47,8 @@ void MirroredOperator::do_pressure_of(std::span<const double> displacement,
 void MirroredOperator::do_displacement_change(
     std::span<const float> pressure_change,
     std::span<float> displacement_change) {
-  if (compliance_.is_empty())
-    compliance_ = convolution_.arranged(columns_of(*symbol_.compliance));
-  convolution_.apply(pressure_change, compliance_, displacement_change);
+  convolution_.apply(pressure_change, columns_of(*symbol_.compliance),
+                     displacement_change);
 }
 
 void MirroredOperator::do_pressure_estimate(std::span<const float> gap,
@@ -61,8 +60,8 @@ void MirroredOperator::do_pressure_estimate(std::span<const float> gap,
     if (jx == 0) // the uniform mode has none: FourierOperator
       of_jy[0] = symbol_.softest;
   };
-  convolution_.apply(
-      gap, inverse_.of(convolution_, compliance, local_compliance), pressure);
+  convolution_.apply(gap, inverse_columns_of(compliance, local_compliance),
+                     pressure);
 }
 
 bool equals_mirror_images(std::span<const double> heights, const Grid& grid) {

@@ -48,8 +48,6 @@ private:
   Symbol symbol_;
   MirroredConvolution<double> exact_;
   MirroredConvolution<float> convolution_;
-  MirroredConvolution<float>::Symbol compliance_; ///< once it was needed
-  InverseSymbol<MirroredConvolution<float>> inverse_;
 };
 
 /// Whether heights equal their mirror images about the middle lines of a grid,

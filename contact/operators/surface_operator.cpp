@@ -21,13 +21,16 @@ void SurfaceOperator::measured(const Work& work) {
 }
 
 void SurfaceOperator::displacement(std::span<const double> pressure,
-                                   std::span<double> displacement) {
+                                   std::span<double> displacement,
+                                   std::span<std::byte> lent) {
+  lent_ = lent;
   measured([&] { do_displacement(pressure, displacement); });
 }
 
 void SurfaceOperator::displacement_change(
     std::span<const float> pressure_change,
-    std::span<float> displacement_change) {
+    std::span<float> displacement_change, std::span<std::byte> lent) {
+  lent_ = lent;
   measured(
       [&] { do_displacement_change(pressure_change, displacement_change); });
 }

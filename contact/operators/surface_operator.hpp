@@ -8,6 +8,7 @@
 #include "base/ranks/workers.hpp"
 #include "contact/operators/tiles.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -120,13 +121,18 @@ public:
   /// mean.
   /// @param pressure     n_nodes() values [Pa]
   /// @param displacement n_nodes() values, overwritten
+  /// @param lent         memory that the call may use in place of its own, as
+  ///                     much as that of the displacement
   void displacement(std::span<const double> pressure,
-                    std::span<double> displacement);
+                    std::span<double> displacement,
+                    std::span<std::byte> lent = {});
 
   /// The same for a small change of pressure, in single precision: the error is
-  /// about 1e-7 of the change.
+  /// about 1e-7 of the change. The memory that is lent may be that of the
+  /// change, which is then lost.
   void displacement_change(std::span<const float> pressure_change,
-                           std::span<float> displacement_change);
+                           std::span<float> displacement_change,
+                           std::span<std::byte> lent = {});
 
   /// Computes pressure = (C + 1/penalty)^-1 gap [Pa] on the whole surface, for
   /// use as a preconditioner. It is exact up to single precision and up to the
@@ -191,6 +197,9 @@ protected:
   SurfaceOperator& operator=(const SurfaceOperator&) = default;
   SurfaceOperator& operator=(SurfaceOperator&&) = default;
 
+  /// Memory that do_displacement() and do_displacement_change() may use.
+  std::span<std::byte> lent() const { return lent_; }
+
   virtual std::unique_ptr<SurfaceOperator> do_clone() const = 0;
   virtual void do_displacement(std::span<const double> pressure,
                                std::span<double> displacement) = 0;
@@ -235,6 +244,7 @@ private:
 
   SurfaceTraits traits_;
   std::shared_ptr<double> cpu_time_; ///< null: not measured
+  std::span<std::byte> lent_;        ///< for the call that is made
 };
 
 } // namespace asperity::contact

@@ -260,7 +260,11 @@ void TileOperator::do_pressure_estimate(std::span<const float> gap,
     if (jx == 0)
       of_jy[0] = of_jy[1];
   };
-  convolve(gap, inverse_.of(windows_.front(), compliance, local_compliance),
+  // Windows overlap, and the pressure may be in the memory of the gap.
+  const std::vector<float> whole_gap(gap.begin(), gap.end());
+  convolve(std::span(whole_gap),
+           windows_.front().arranged(
+               inverse_columns_of(compliance, local_compliance)),
            windows_, pressure);
 }
 

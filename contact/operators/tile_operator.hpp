@@ -97,7 +97,6 @@ private:
   std::unique_ptr<SurfaceOperator> smooth_; ///< on the coarse nodes
   Windows<float> windows_;
   Windows<double> exact_windows_;
-  InverseSymbol<Convolution<float>> inverse_;
 };
 
 } // namespace asperity::contact

@@ -13,6 +13,7 @@ namespace asperity::surfaces {
 namespace {
 
 using Complex = std::complex<double>;
+using Spectrum = PairTransforms<double>::Spectrum;
 
 /// Complex values of the columns that are in memory together.
 std::size_t values_in_memory(const Grid& grid) {
@@ -45,8 +46,9 @@ public:
       const std::size_t n_rows = piece.size() / width;
       if (n_rows != rows_)
         prepare(n_rows);
-      transforms_->forward(piece, threads_, pairs_.data(), spectrum_.data());
-      keep(*transforms_, spectrum_.data(), row);
+      const Spectrum spectrum = transforms_->spectrum_in(spectrum_.data());
+      transforms_->forward(piece, threads_, pairs_.data(), spectrum);
+      keep(*transforms_, spectrum, row);
       row += n_rows;
     });
   }
@@ -57,7 +59,7 @@ private:
     transforms_ = std::make_unique<PairTransforms<double>>(
         grid_, static_cast<int>(n_rows), grid_.points_x);
     pairs_.resize(static_cast<std::size_t>(threads_) *
-                  transforms_->pair_stride());
+                  transforms_->pair_scratch());
     spectrum_.resize(transforms_->spectrum_size());
   }
 
@@ -102,7 +104,7 @@ void each_column(
       });
     };
     rows.each_piece(heights, [&](const PairTransforms<double>& transforms,
-                                 const Complex* spectrum,
+                                 const Spectrum& spectrum,
                                  std::size_t first_row) {
       each_block([&](std::size_t first, Complex* own) {
         transforms.separate(spectrum, first,

@@ -71,6 +71,21 @@ TEST(Tiles, HaveTheDisplacementOfTheWholeSurface) {
       4e-5);
 }
 
+TEST(Tiles, MayHaveThePressureInTheMemoryOfTheGap) {
+  const FourierOperator whole =
+      halfspace_operator({512, 512, 1.0, 1.0}, halfspace);
+  const std::unique_ptr<SurfaceOperator> part =
+      whole.on_tiles({8, 8, true, {18, 19, 27}});
+  const std::vector<double> random = problems::random_field(part->n_nodes());
+  std::vector<float> field(random.begin(), random.end());
+  std::vector<float> pressure(field.size());
+
+  part->pressure_estimate(field, 0.0, pressure);
+  part->pressure_estimate(field, 0.0, field);
+
+  EXPECT_EQ(field, pressure);
+}
+
 // Between opposite borders the convolution on the coarse nodes, which lie up to
 // two beyond them, wraps around. Measured: 4.5e-5 inside, 2.7e-4 and 1.0e-4.
 TEST(Tiles, HaveTheDisplacementWithFreeBoundaries) {

@@ -61,7 +61,8 @@ std::vector<double> by_fourier(const Grid& grid) {
 
 const std::vector<Grid> grids{{16, 16, 1.0, 1.0}, {17, 12, 1.0, 2.0},
                               {2, 9, 1.0, 1.0},   {1, 7, 1.0, 1.0},
-                              {40, 3, 1.0, 1.0},  {130, 66, 1.0, 1.0}};
+                              {40, 3, 1.0, 1.0},  {130, 66, 1.0, 1.0},
+                              {64, 48, 1.0, 1.0}};
 
 // Tolerance: log2 of the number of nodes in ulp of the largest value, 1.
 TEST(Convolution, IsTheTransformPair) {
@@ -122,6 +123,67 @@ TEST(Convolution, OfRowsOfZerosIsTheRestOfTheOthers) {
 
   for (std::size_t i = 0; i < field.size(); ++i)
     ASSERT_NEAR(of_upper[i] + of_rest[i], all[i], 1e-14) << i;
+}
+
+/// The part of a field on its first columns and rows.
+std::vector<double> part_of(const std::vector<double>& field, const Grid& grid,
+                            const Grid& held) {
+  std::vector<double> part(held.size());
+  for (int iy = 0; iy < held.points_y; ++iy)
+    for (int ix = 0; ix < held.points_x; ++ix)
+      part[held.index(ix, iy)] = field[grid.index(ix, iy)];
+  return part;
+}
+
+/// Of the field that is 0 beyond the part.
+std::vector<double> on_whole_grid(const Grid& held, const Grid& grid) {
+  const std::vector<double> field = uneven_field(held);
+  std::vector<double> whole(grid.size());
+  for (int iy = 0; iy < held.points_y; ++iy)
+    for (int ix = 0; ix < held.points_x; ++ix)
+      whole[grid.index(ix, iy)] = field[held.index(ix, iy)];
+  Convolution<double>(grid).apply(whole, symbol_of(), whole);
+  return part_of(whole, grid, held);
+}
+
+// Half of the spectrum is in the answer, and the other half in memory of the
+// convolution, in memory that is lent to it, or in that of the field.
+TEST(Convolution, OfAPartIsThatOfTheWholeInAnyMemory) {
+  for (const Grid& held : {Grid{32, 24, 1.0, 1.0},
+                           {8, 24, 1.0, 1.0},
+                           {33, 24, 1.0, 1.0},
+                           {32, 23, 1.0, 1.0},
+                           {20, 6, 1.0, 1.0}}) {
+    SCOPED_TRACE(held.points_x * held.points_y);
+    const Grid grid{2 * held.points_x, 2 * held.points_y, 2.0, 2.0};
+    const std::vector<double> expected = on_whole_grid(held, grid);
+    const std::vector<double> own = in_one_process<double>(grid, held);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      EXPECT_NEAR(own[i], expected[i], 14 * 2.3e-16);
+    Convolution<double> convolution(held, grid, 2);
+    std::vector<double> field = uneven_field(held);
+    std::vector<double> answer(held.size()), memory(held.size(), -7.0);
+    convolution.apply(field, symbol_of(), answer,
+                      std::as_writable_bytes(std::span(memory)));
+    EXPECT_EQ(answer, own);
+    convolution.apply(field, symbol_of(), answer,
+                      std::as_writable_bytes(std::span(field)));
+    EXPECT_EQ(answer, own);
+    const bool is_enough = held.points_x % 8 == 0 && held.points_y % 2 == 0;
+    EXPECT_EQ(std::ranges::count(memory, -7.0) == 0, is_enough);
+  }
+}
+
+TEST(Convolution, HasItsSpectrumInTheMemoryOfTheAnswer) {
+  const auto beyond = [](const Grid& grid, const Grid& held) {
+    return PairTransforms<double>(grid, held.points_y, held.points_x)
+        .size_beyond_field();
+  };
+  const Grid grid{64, 48, 1.0, 1.0};
+  EXPECT_EQ(beyond(grid, grid), 0U);
+  EXPECT_EQ(beyond({41, 8, 1.0, 1.0}, {41, 8, 1.0, 1.0}), 0U);
+  const Grid quarter{32, 24, 1.0, 1.0};
+  EXPECT_EQ(beyond(grid, quarter), quarter.size() / 2);
 }
 
 /// Analyses a field and synthesises it from its columns.
