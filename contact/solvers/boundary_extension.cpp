@@ -144,13 +144,15 @@ void BoundaryExtension::extend(const Active& active,
   }
   each_row(rows_, [&](int iy, Scratch& scratch) {
     const std::size_t first = rows_.grid().index(0, iy);
-    float* const own = &extended[first];
+    scratch.row.resize(rows_.width());
+    float* const own = scratch.row.data();
     interpolate(levels_[0], rows_.width(), iy, scratch.cells, own);
     each_active_run(active.blocks, first, rows_.width(),
                     [&](std::size_t begin, std::size_t end) {
                       take_active(end - begin, &active.is_free[first + begin],
                                   &residual[first + begin], own + begin);
                     });
+    std::ranges::copy(scratch.row, &extended[first]);
   });
 }
 

@@ -67,7 +67,7 @@ public:
 
   /// extended = E residual.
   /// @param residual  0 at the inactive nodes
-  /// @param extended  overwritten; not `residual`
+  /// @param extended  overwritten; may be `residual`
   void extend(const Active& active, std::span<const float> residual,
               std::span<float> extended);
 

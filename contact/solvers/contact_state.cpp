@@ -2,6 +2,7 @@
 
 #include "base/ranks/node_sums.hpp"
 #include "base/special_numbers.hpp"
+#include "contact/solvers/preconditioner.hpp"
 #include "contact/solvers/starting_pressure.hpp"
 
 #include <algorithm>
@@ -47,14 +48,15 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
       raw_gap(pressure.size()),
       freedom(pressure.size()),
       active(blocks_of(pressure.size()), 1),
-      unset_(std::make_unique_for_overwrite<float[]>(3 * pressure.size())),
+      work_size_(std::max(2 * pressure.size(),
+                          Preconditioner::scratch_size(elasticity_))),
+      unset_(std::make_unique_for_overwrite<float[]>(2 * pressure.size() +
+                                                     work_size_)),
       written_(active.size(), 1),
       previous_written_(active.size(), 1),
-      lowest_(active.size()),
-      change_written_(active.size(), 1) {
-  residual = unset_part(0);
-  previous_residual_ = unset_part(1);
-  change_ = unset_part(2);
+      lowest_(active.size()) {
+  residual = unset_part(0, pressure.size());
+  previous_residual_ = unset_part(1, pressure.size());
   if (!by_pressure())
     mean_height_ =
         weighted_sum(elasticity.nodal_weights(), problem.heights, workers) /
@@ -62,9 +64,9 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
   compute_gap();
 }
 
-/// One of the three fields.
-std::span<float> ContactState::unset_part(std::size_t i) {
-  return {unset_.get() + i * pressure.size(), pressure.size()};
+/// A field of some size from the place of the i-th of the nodes on.
+std::span<float> ContactState::unset_part(std::size_t i, std::size_t size) {
+  return {unset_.get() + i * pressure.size(), size};
 }
 
 bool ContactState::is_at_end() const {
@@ -94,7 +96,7 @@ NodeFields ContactState::fields() {
   fields.previous_residual =
       iterations > 0 ? previous_residual_.data() : residual.data();
   fields.freedom = freedom.data();
-  fields.change = change_.data();
+  fields.change = change().data();
   fields.heights = problem.heights.data();
   fields.active = active.data();
   fields.lowest = lowest_.data();
@@ -105,10 +107,16 @@ NodeFields ContactState::fields() {
 }
 
 void ContactState::compute_gap() {
-  elasticity.displacement(pressure, raw_gap);
+  elasticity.displacement(pressure, raw_gap, std::as_writable_bytes(work()));
   ++transforms;
   subtract_heights_from_gap();
   is_computed_ = true;
+}
+
+void ContactState::displace(std::span<const float> pressure_change) {
+  elasticity.displacement_change(pressure_change, compliance_direction(),
+                                 std::as_writable_bytes(change()));
+  ++transforms;
 }
 
 void ContactState::subtract_heights_from_gap() {
@@ -167,9 +175,9 @@ void ContactState::measure_residual() {
   freed += sums.changed;
 }
 
-void ContactState::advance(float step, std::span<float> direction,
-                           std::span<float> compliance_direction) {
-  clear_inactive(active, change_written_, change_);
+void ContactState::advance(float step, std::span<float> direction) {
+  BlockFlags written(active.size(), 1);
+  clear_inactive(active, written, change());
   NodeFields all = fields();
   all.direction = direction.data();
   Advance way{static_cast<double>(step)};
@@ -187,11 +195,10 @@ void ContactState::advance(float step, std::span<float> direction,
   if (cut > 0.0) {
     if (is_scaled)
       restore_load(pressure_sum);
-    elasticity.displacement_change(change_, compliance_direction);
-    ++transforms;
-    add_to_gap(1.0, compliance_direction);
+    displace(change());
+    add_to_gap(1.0, compliance_direction());
   } else {
-    add_to_gap(-static_cast<double>(step), compliance_direction);
+    add_to_gap(-static_cast<double>(step), compliance_direction());
   }
 }
 
@@ -291,7 +298,7 @@ ContactSolution ContactState::solution() && {
     scale_to_target(elasticity, target, problem.hardness, pressure);
     compute_gap();
   }
-  residual = change_ = previous_residual_ = {};
+  residual = previous_residual_ = {};
   unset_.reset();
   freedom = std::vector<std::uint8_t>();
   ContactSolution answer;

@@ -45,18 +45,33 @@ public:
 
   /// Sets p = max(0, p - step * direction) and updates C p. If a pressure was
   /// set to 0, a prescribed load is restored by scaling, and the change of C p
-  /// is computed from that of p, which costs one application of C. With a
+  /// is computed from that of p, which costs one application of C. C direction
+  /// is in compliance_direction(), and is overwritten. With a
   /// hardness the scaled pressures are cut off there, and the factor is such
   /// that the load is restored then.
-  /// @param compliance_direction  C direction; overwritten
-  void advance(float step, std::span<float> direction,
-               std::span<float> compliance_direction);
+  void advance(float step, std::span<float> direction);
 
   /// Replaces the pressure by another one at the load of the target.
   void set_pressure(std::vector<double> other);
 
   /// The fields for the loops over nodes.
   NodeFields fields();
+
+  /// Memory for the preconditioner, of change() and compliance_direction(). An
+  /// application of C in double precision overwrites it.
+  std::span<float> work() { return unset_part(2, work_size_); }
+
+  /// The last change of the pressure [Pa], which advance() sets: before, the
+  /// preconditioned residual.
+  std::span<float> change() { return unset_part(2, pressure.size()); }
+
+  std::span<float> compliance_direction() {
+    return unset_part(3, pressure.size());
+  }
+
+  /// Sets compliance_direction() to C of a direction, or of change(), which is
+  /// lost.
+  void displace(std::span<const float> pressure_change);
 
   /// Adds loop(range) -> Sums over the active blocks.
   template <class Sums, class Loop>
@@ -92,7 +107,7 @@ protected:
   void subtract_heights_from_gap();
 
 private:
-  std::span<float> unset_part(std::size_t i);
+  std::span<float> unset_part(std::size_t i, std::size_t size);
   void add_to_gap(double factor, std::span<const float> field);
   void restore_load(double pressure_sum);
   AdvancedLoad load_after(const NodeFields& all, const Advance& way) const;
@@ -103,8 +118,10 @@ private:
   float product_scale() const;
   void measure_residual();
 
-  /// Memory of three fields of floats, which are written before they are read;
-  /// their inactive blocks are set to 0 then.
+  std::size_t work_size_;
+  /// Memory of the residuals and of work(), which are written before they are
+  /// read; the inactive blocks of the residuals and of the change are set to 0
+  /// then.
   std::unique_ptr<float[]> unset_;
   double mean_height_ = 0.0;    ///< under gap control [m]
   double computed_error_ = 0.0; ///< gap_error when C p was last recomputed
@@ -113,8 +130,6 @@ private:
   BlockFlags written_;          ///< blocks where `residual` may differ from 0
   BlockFlags previous_written_;
   std::vector<double> lowest_; ///< raw_gap of each block that is inactive [m]
-  std::span<float> change_;    ///< of the pressure in the last iteration [Pa]
-  BlockFlags change_written_;  ///< blocks where `change_` may differ from 0
   std::span<float> previous_residual_;
 };
 

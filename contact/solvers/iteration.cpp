@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -58,11 +57,6 @@ class Directions {
 public:
   explicit Directions(const ContactState& state)
       : preconditioner_(state.elasticity),
-        unset_(
-            std::make_unique_for_overwrite<float[]>(2 * state.pressure.size())),
-        preconditioned_(unset_.get(), state.pressure.size()),
-        compliance_direction_(unset_.get() + state.pressure.size(),
-                              state.pressure.size()),
         direction_(state.pressure.size()),
         written_(state.active.size(), 0) {}
 
@@ -78,15 +72,13 @@ public:
       return false;
 
     // C d,  curvature = <d, (C + c) d>
-    state.elasticity.displacement_change(direction_, compliance_direction_);
-    ++state.transforms;
+    state.displace(direction_);
     const double curvature = energy(state);
     if (!(curvature > 0.0 && std::isfinite(curvature)))
       return false;
 
     // p = max(0, p - slope / curvature d)
-    state.advance(static_cast<float>(slope / curvature), direction_,
-                  compliance_direction_);
+    state.advance(static_cast<float>(slope / curvature), direction_);
     return true;
   }
 
@@ -99,9 +91,8 @@ private:
       preconditioner_.build(state.elasticity, c, active);
       freed_at_build_ = state.freed;
     }
-    const std::span<float> scratch = compliance_direction_; // until step()
-    preconditioner_.apply(state.elasticity, c, active, state.residual, scratch,
-                          preconditioned_);
+    preconditioner_.apply(state.elasticity, c, active, state.residual,
+                          state.work());
     ++state.transforms;
   }
 
@@ -111,15 +102,15 @@ private:
   /// nodes. If few nodes are active, this would only cost a transform and is
   /// omitted.
   void correct_load(ContactState& state) {
-    const std::size_t nodes = preconditioned_.size();
+    const std::span<float> z = state.change();
+    const std::size_t nodes = z.size();
     const double n_free = state.free_weight;
     if (n_free < 0.5 * static_cast<double>(state.workers.all_nodes(nodes)))
       return;
-    const std::span<float> softened = compliance_direction_;
     std::vector<float> uniform(nodes);
     for (std::size_t i = 0; i < nodes; ++i)
       uniform[i] = state.freedom[i] > fixed ? 1.0F : 0.0F;
-    state.elasticity.displacement_change(uniform, softened);
+    state.elasticity.displacement_change(uniform, state.compliance_direction());
     ++state.transforms;
     const double c = state.problem.local_compliance;
     const auto sum = [&](std::span<const float> field) {
@@ -129,14 +120,13 @@ private:
             return static_cast<double>(u[i]) * static_cast<double>(f[i]);
           });
     };
-    const double softness = sum(softened) + c * n_free;
+    const double softness = sum(state.compliance_direction()) + c * n_free;
     // In full hard contact the curvature vanishes.
     if (softness <= 1e-6 * n_free * state.elasticity.short_wave_compliance())
       return;
-    const double shift =
-        sum(state.residual) / softness - sum(preconditioned_) / n_free;
+    const double shift = sum(state.residual) / softness - sum(z) / n_free;
     for (std::size_t i = 0; i < nodes; ++i)
-      preconditioned_[i] += static_cast<float>(shift) * uniform[i];
+      z[i] += static_cast<float>(shift) * uniform[i];
   }
 
   /// direction = z + beta direction, Polak-Ribiere with beta >= 0; returns the
@@ -144,7 +134,7 @@ private:
   double conjugate(ContactState& state) {
     clear_inactive(state.active, written_, std::span(direction_));
     NodeFields all = state.fields();
-    all.preconditioned = preconditioned_.data();
+    all.preconditioned = state.change().data();
     all.direction = direction_.data();
     // Subtracting the mean of z over the active nodes preserves the load.
     float mean = 0.0F;
@@ -170,7 +160,7 @@ private:
     if (slope.value > 0.0)
       return slope.value;
     for (std::size_t i = 0; i < direction_.size(); ++i) // restart
-      direction_[i] = allowed(preconditioned_[i] - mean, state.freedom[i]);
+      direction_[i] = allowed(state.change()[i] - mean, state.freedom[i]);
     return now;
   }
 
@@ -178,7 +168,7 @@ private:
   double energy(ContactState& state) {
     NodeFields all = state.fields();
     all.direction = direction_.data();
-    all.displaced = compliance_direction_.data();
+    all.displaced = state.compliance_direction().data();
     return state
         .sum<Sum>(
             [&](const NodeRange& range) { return sum_energy(all, range); })
@@ -187,9 +177,6 @@ private:
 
   Preconditioner preconditioner_;
   double freed_at_build_ = 0.0; ///< 0: not built
-  /// Memory of the next two fields, which are written before they are read.
-  std::unique_ptr<float[]> unset_;
-  std::span<float> preconditioned_, compliance_direction_;
   std::vector<float> direction_;
   BlockFlags written_; ///< blocks where the direction may differ from 0
   double before_ = 0.0;

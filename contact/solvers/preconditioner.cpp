@@ -7,19 +7,6 @@
 #include <cstddef>
 
 namespace asperity::contact {
-namespace {
-
-/// Copies rows of n nodes, which are `from_stride` and `to_stride` nodes apart.
-template <class Value>
-void copy_rows(const Grid& rows, int threads, const Value* from,
-               int from_stride, Value* to, int to_stride) {
-  parallel_rows(rows.points_y, threads, [=](int iy) {
-    const auto row = static_cast<std::ptrdiff_t>(iy);
-    std::copy_n(from + row * from_stride, rows.points_x, to + row * to_stride);
-  });
-}
-
-} // namespace
 
 Preconditioner::Preconditioner(const SurfaceOperator& elasticity)
     : grid_(elasticity.grid()),
@@ -33,15 +20,18 @@ Preconditioner::Preconditioner(const SurfaceOperator& elasticity)
   const std::size_t nodes = wide_grid_.size();
   wide_.freedom.resize(nodes);
   wide_.blocks.resize(blocks_of(nodes));
-  wide_.residual.resize(nodes);
-  wide_.extended.resize(nodes);
 }
 
 template <class Value>
 void Preconditioner::widen(std::span<const Value> field,
                            std::span<Value> wide) const {
-  copy_rows(grid_, threads_, field.data(), grid_.points_x, wide.data(),
-            wide_grid_.points_x);
+  parallel_rows(wide_grid_.points_y, threads_, [&](int iy) {
+    Value* const row = &wide[wide_grid_.index(0, iy)];
+    const int held = iy < grid_.points_y ? grid_.points_x : 0;
+    if (held > 0)
+      std::copy_n(&field[grid_.index(0, iy)], held, row);
+    std::fill(row + held, row + wide_grid_.points_x, Value{0});
+  });
 }
 
 void Preconditioner::build(const SurfaceOperator& elasticity,
@@ -67,25 +57,40 @@ void Preconditioner::build(const SurfaceOperator& elasticity,
   extension_.build(share, freedom);
 }
 
+/// In rounds, in which no row is moved to where another one comes from.
+void Preconditioner::narrow(std::span<float> wide) const {
+  int begin = 1;
+  while (begin < grid_.points_y) {
+    const auto before_source =
+        static_cast<int>(static_cast<std::int64_t>(begin) *
+                         wide_grid_.points_x / grid_.points_x);
+    const int end = std::clamp(before_source, begin + 1, grid_.points_y);
+    parallel_rows(end - begin, threads_, [&](int i) {
+      std::copy_n(&wide[wide_grid_.index(0, begin + i)], grid_.points_x,
+                  &wide[grid_.index(0, begin + i)]);
+    });
+    begin = end;
+  }
+}
+
 void Preconditioner::apply(SurfaceOperator& elasticity, double local_compliance,
                            const BoundaryExtension::Active& active,
                            std::span<const float> residual,
-                           std::span<float> extended,
-                           std::span<float> estimate) {
+                           std::span<float> scratch) {
   if (!is_wide()) {
-    extension_.extend(active, residual, extended);
-    elasticity.pressure_estimate(extended, local_compliance, estimate);
-    extension_.fold(active, estimate);
+    const std::span<float> field = scratch.first(residual.size());
+    extension_.extend(active, residual, field);
+    elasticity.pressure_estimate(field, local_compliance, field);
+    extension_.fold(active, field);
     return;
   }
+  const std::span<float> field = scratch.first(wide_grid_.size());
   const BoundaryExtension::Active wide_active{wide_.freedom, wide_.blocks};
-  widen<float>(residual, wide_.residual);
-  extension_.extend(wide_active, wide_.residual, wide_.extended);
-  elasticity.pressure_estimate(wide_.extended, local_compliance,
-                               wide_.extended);
-  extension_.fold(wide_active, wide_.extended);
-  copy_rows(grid_, threads_, wide_.extended.data(), wide_grid_.points_x,
-            estimate.data(), grid_.points_x);
+  widen<float>(residual, field);
+  extension_.extend(wide_active, field, field);
+  elasticity.pressure_estimate(field, local_compliance, field);
+  extension_.fold(wide_active, field);
+  narrow(field);
 }
 
 } // namespace asperity::contact

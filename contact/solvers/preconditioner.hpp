@@ -5,6 +5,8 @@
 #include "contact/operators/surface_operator.hpp"
 #include "contact/solvers/boundary_extension.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,28 +32,34 @@ public:
 
   /// @param active    as in build()
   /// @param residual  r [m], 0 at the inactive nodes
-  /// @param extended  scratch memory of as many nodes
-  /// @param estimate  z [Pa], overwritten; without meaning at inactive nodes
+  /// @param scratch   memory of scratch_size() values, the first n_nodes() of
+  ///                  which become z [Pa]; without meaning at inactive nodes
   void apply(SurfaceOperator& elasticity, double local_compliance,
              const BoundaryExtension::Active& active,
-             std::span<const float> residual, std::span<float> extended,
-             std::span<float> estimate);
+             std::span<const float> residual, std::span<float> scratch);
+
+  static std::size_t scratch_size(const SurfaceOperator& elasticity) {
+    return std::max(elasticity.n_nodes(), elasticity.is_periodic()
+                                              ? 0
+                                              : elasticity.wide_grid().size());
+  }
 
 private:
-  /// The fields of a wide grid that is larger than the grid.
+  /// The active nodes of a wide grid that is larger than the grid.
   struct Wide {
     std::vector<std::uint8_t> freedom; ///< 0 at the added nodes
     BlockFlags blocks;
-    std::vector<float> residual;
-    std::vector<float> extended; ///< then the estimate
   };
 
   bool is_wide() const { return !wide_.freedom.empty(); }
 
-  /// Copies a field of the grid into one of the wide grid, whose added nodes
-  /// keep their values.
+  /// Copies a field of the grid into one of the wide grid, which is 0 at the
+  /// added nodes.
   template <class Value>
   void widen(std::span<const Value> field, std::span<Value> wide) const;
+
+  /// Moves the rows of the grid to the first part of a field of the wide grid.
+  void narrow(std::span<float> wide) const;
 
   Grid grid_, wide_grid_;
   int threads_;

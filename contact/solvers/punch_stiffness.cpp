@@ -49,7 +49,7 @@ public:
         direction_(is_in_contact.size()),
         product_(is_in_contact.size()),
         estimate_(is_in_contact.size()),
-        scratch_(is_in_contact.size()),
+        scratch_(Preconditioner::scratch_size(elasticity)),
         single_(is_in_contact.size()) {
     compliances_.assign(film.begin(), film.end());
     const double shortest = film.empty() ? 0.0 : shortest_compliance();
@@ -190,10 +190,10 @@ private:
           freedom_[i] != 0 ? static_cast<float>(residual_[i] / unit) : 0.0F;
     });
     preconditioner_.apply(elasticity_, compliance_, {freedom_, blocks_},
-                          single_, scratch_, single_);
+                          single_, scratch_);
     each([&](std::size_t i) {
       if (freedom_[i] != 0)
-        estimate_[i] = static_cast<double>(single_[i]) * unit;
+        estimate_[i] = static_cast<double>(scratch_[i]) * unit;
       else if (!compliances_.empty())
         estimate_[i] = residual_[i] / compliances_[i];
     });

@@ -47,6 +47,9 @@ extended(const Grid& grid, double own_share,
   extension.build(own_share, is_free);
   std::vector<float> field(grid.size(), 7.0F);
   extension.extend({is_free, blocks_with(is_free)}, residual, field);
+  std::vector<float> in_place = residual;
+  extension.extend({is_free, blocks_with(is_free)}, in_place, in_place);
+  EXPECT_EQ(in_place, field);
   return field;
 }
 

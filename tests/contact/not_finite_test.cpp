@@ -127,8 +127,7 @@ TEST_F(FaultyContact, AStepWithoutContactIsNotASolution) {
   ContactState state(exact, problem, target, {});
   state.update_residual();
   std::vector<float> direction(heights.size(), 1.0F);
-  std::vector<float> compliance_direction(heights.size(), 0.0F);
-  state.advance(1e6F, direction, compliance_direction);
+  state.advance(1e6F, direction);
   state.update_residual();
   EXPECT_TRUE(state.is_at_end());
   const ContactSolution answer = std::move(state).solution();

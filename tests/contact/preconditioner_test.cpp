@@ -50,9 +50,10 @@ public:
   }
 
   Field preconditioned(const Field& residual) {
-    Field scratch(residual.size()), z(residual.size());
+    Field z(Preconditioner::scratch_size(elasticity_));
     preconditioner_.apply(elasticity_, local_compliance_, {freedom_, blocks_},
-                          residual, scratch, z);
+                          residual, z);
+    z.resize(residual.size());
     return masked(std::move(z));
   }
 
