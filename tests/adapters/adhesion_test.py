@@ -102,6 +102,15 @@ def check_ranking(energy):
     assert lowest == [(7, 6), (6, 7), (6, 7), (5, 6)], lowest
     page = (WORK / "site/problem-sticky.html").read_text(encoding="utf-8")
     assert "6 of 7 lowest, 7 as the reference" in page and "exponential attraction of" in page
+    # Without reference.json the answers are compared with each other.
+    (PROBLEM / "reference.json").unlink()
+    sums = PROBLEM / "SHA256SUMS"
+    sums.write_text("".join(line for line in sums.read_text().splitlines(keepends=True)
+                            if not line.endswith("reference.json\n")), encoding="utf-8")
+    asperity("board", WORK / "board", "--out", WORK / "site")
+    alone = json.loads((WORK / "site/board.json").read_text(encoding="utf-8"))
+    assert [row["code"] for row in alone] == [row["code"] for row in rows], alone
+    assert [row["reference_loads"] for row in alone] == [0, 0, 0, 0], alone
 
 
 def check_refused(own):

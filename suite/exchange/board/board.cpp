@@ -69,6 +69,8 @@ void copy_problem(const fs::path& home, const fs::path& copy) {
   for (const std::string& name : names)
     fs::copy_file(home / name, copy / name,
                   fs::copy_options::overwrite_existing);
+  if (std::ranges::find(names, "reference.json") == names.end())
+    fs::remove(copy / "reference.json"); // of an earlier site
 }
 
 /// The case of a problem, whose files are all in its folder.
@@ -279,12 +281,13 @@ constexpr double equal_energy = 1e-6;
 void compare_energies(BoardProblem& board) {
   const double work = board.problem.adhesion->work_of_adhesion;
   for (std::size_t i = 0; i < board.problem.loads.size(); ++i) {
-    const double reference = board.answers.at(i).energy;
+    const double reference =
+        i < board.answers.size() ? board.answers[i].energy : not_a_number;
     double lowest = reference;
     for (const BoardEntry& entry : board.entries)
       if (entry.state == BoardEntry::State::certified &&
           entry.missing_loads == 0)
-        lowest = std::min(lowest, entry.energies[i]);
+        lowest = std::fmin(lowest, entry.energies[i]);
     for (BoardEntry& entry : board.entries) {
       if (entry.energies.empty() || std::isnan(entry.energies[i]))
         continue;
