@@ -266,8 +266,7 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   check.load_error = weighted.mean_of(submitted.pressure) / load - 1.0;
   check.largest_tension = defects.largest_tension;
   check.nodes_in_tension = defects.in_tension;
-  const Feasible answer =
-      feasible(elasticity, submitted, pressure_of(submitted));
+  Feasible answer = feasible(elasticity, submitted, pressure_of(submitted));
   const EnergyMeans means = energy_means(answer, weighted, submitted.heights);
   const double twice_stored = means.pressure_displacement;
   PressureMeans by{twice_stored, load, answer.lift + compliance * load};
@@ -291,6 +290,8 @@ FieldCheck check_field(SurfaceOperator& elasticity,
                                ? std::abs(submitted.mean_gap - check.mean_gap) +
                                      2.0 * answer.roundoff
                                : 0.0;
+  free_memory(answer.pressure); // before another displacement is found
+  free_memory(answer.displacement);
   const double of_uniform =
       compliance + mean_or_0(weighted, uniform_displacement(elasticity));
   check.mean_gap_error =
