@@ -114,7 +114,7 @@ PressureCentre pressure_centre(const Grid& grid,
   const int middle_x = grid.points_x / 2;
   const int middle_y = grid.points_y / 2;
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
-    SeveralSums<3> sums;
+    SeveralSums<4> sums;
     for (std::size_t i = begin; i < end; ++i) {
       const double load = weight_of(weights, i) * pressure[i];
       const int ix = static_cast<int>(i % nx);
@@ -122,12 +122,14 @@ PressureCentre pressure_centre(const Grid& grid,
       sums.values[0] += load;
       sums.values[1] += load * (ix - middle_x);
       sums.values[2] += load * (iy - middle_y);
+      sums.values[3] += std::abs(load);
     }
     return sums;
   };
-  const auto [force, moment_x, moment_y] =
-      chunked_sum<SeveralSums<3>>(pressure.size(), threads, sums_of).values;
-  if (!(force > 0.0))
+  constexpr double least_share = 1e-6;
+  const auto [force, moment_x, moment_y, magnitudes] =
+      chunked_sum<SeveralSums<4>>(pressure.size(), threads, sums_of).values;
+  if (!(force > least_share * magnitudes))
     return {};
   return {grid.spacing_x() * (moment_x / force),
           grid.spacing_y() * (moment_y / force)};

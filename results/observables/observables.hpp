@@ -79,8 +79,9 @@ struct PressureCentre {
 /// Returns the centre of pressure, sum w p x / sum w p, from the middle of the
 /// map: the node (points_x / 2, points_y / 2), where shapes have their axis.
 /// The moment of the load about the middle is the force times this lever.
-/// @param pressure  [Pa] >= 0
-/// @return          NaN where no node is under pressure
+/// @param pressure  [Pa], with adhesion also tensile
+/// @return          NaN unless the load is above 1e-6 of the sum of all
+///                  magnitudes, where it may be an error of the solver
 /// @throws std::domain_error  the size of a map is wrong
 PressureCentre pressure_centre(const Grid& grid,
                                std::span<const double> pressure,

@@ -161,6 +161,13 @@ TEST(PressureCentre, IsNotDeterminedWithoutContact) {
 
   EXPECT_TRUE(
       std::isnan(pressure_centre(grid, std::vector<double>(16, 0.0)).x));
+  // Tension that balances the pressure leaves no load, but for roundoff.
+  std::vector<double> balanced(16, 0.0);
+  balanced[1] = 1.0;
+  balanced[2] = -1.0 + 1e-9;
+  EXPECT_TRUE(std::isnan(pressure_centre(grid, balanced).x));
+  balanced[2] = -0.5;
+  EXPECT_FALSE(std::isnan(pressure_centre(grid, balanced).x));
   EXPECT_THROW(pressure_centre(grid, std::vector<double>(15, 0.0)),
                std::domain_error);
 }
