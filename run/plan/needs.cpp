@@ -20,7 +20,7 @@ constexpr double program_memory = 24.0 * bytes_per_mebibyte;
 constexpr double fem_memory = 110.0 * bytes_per_mebibyte;
 constexpr double full_block_memory = 51.0 * bytes_per_mebibyte; ///< further
 
-constexpr double arrays_per_job = 19.0; ///< of doubles, on the grid
+constexpr double arrays_per_job = 14.0; ///< of doubles, on the grid
 /// Likewise, of a rank on its nodes: 70 to 80 bytes of the solver and the
 /// transforms, and the states of two steps; docs/numerics/shared-rows.md.
 constexpr double arrays_per_rank = 13.0;
@@ -29,7 +29,7 @@ constexpr double arrays_per_rank = 13.0;
 constexpr double whole_arrays = 7.0;
 /// Further ones of a half-space with free boundaries: spectra of rows of twice
 /// the points, symbols, and fields of the wide grid.
-constexpr double more_arrays_of_free = 7.0;
+constexpr double more_arrays_of_free = 3.0;
 /// Further ones of a condensed Q2 block: its compliance and its inverse take
 /// 16 bytes per node, nodal areas 8, and the spectra of the node classes 6.
 constexpr double more_arrays_of_q2 = 4.0;
@@ -40,7 +40,7 @@ constexpr double more_arrays_of_adhesion = 10.0;
 constexpr double more_arrays_of_hardness = 2.0; ///< imprint, lower heights
 /// Of a mirrored map, of which all others have a quarter: heights and answers
 /// of the cell.
-constexpr double arrays_of_mirrored_cell = 9.0;
+constexpr double arrays_of_mirrored_cell = 7.0;
 /// Of Laplace's equation on a block, per node of the mesh in first and in
 /// second order: the matrix and its relaxation [B].
 constexpr double conduction_memory_q1 = 400.0, conduction_memory_q2 = 800.0;
