@@ -5,6 +5,7 @@
 #include "base/maximum.hpp"
 #include "base/shown_number.hpp"
 #include "contact/solvers/adhesive.hpp"
+#include "contact/solvers/adhesive_state.hpp"
 #include "input/input_error.hpp"
 
 #include <fmt/format.h>
@@ -19,27 +20,11 @@ constexpr double descent_tolerance = 1e-9; ///< of the gap [h_rms]
 constexpr int most_descent_iterations = 20000;
 constexpr double claimed_energy_error = 1e-6; ///< [w]
 
-/// Shifts the nodes that are not closed, none of them below the wall, so that
-/// the mean gap is u: Newton's method on a sum that is convex in the shift.
-void restore_mean(double mean_gap, const std::vector<bool>& is_closed,
-                  std::vector<double>& gap) {
-  constexpr int most_shifts = 100;
-  const double wanted = mean_gap * static_cast<double>(gap.size());
-  double shift = mean_gap - std::ranges::min(gap);
-  for (int i = 0; i < most_shifts; ++i) {
-    double sum = 0.0, open = 0.0;
-    for (std::size_t node = 0; node < gap.size(); ++node)
-      if (!is_closed[node] && gap[node] + shift > 0.0) {
-        sum += gap[node] + shift;
-        open += 1.0;
-      }
-    const double change = (sum - wanted) / open;
-    shift -= change;
-    if (!(std::abs(change) > 1e-15 * mean_gap))
-      break;
-  }
-  for (std::size_t node = 0; node < gap.size(); ++node)
-    gap[node] = is_closed[node] ? 0.0 : std::max(0.0, gap[node] + shift);
+contact::AdhesiveProblem problem_of(contact::SurfaceOperator& elasticity,
+                                    const Problem& problem) {
+  return {problem.heights, *problem.adhesion,
+          descent_tolerance * problem.rms_height, most_descent_iterations,
+          contact::adhesive_scale(elasticity, problem.heights)};
 }
 
 } // namespace
@@ -74,17 +59,18 @@ contact::ContactSolution adhesive_state(contact::SurfaceOperator& elasticity,
         fmt::format("moves the surface by {:.3g} m, but the mean gap is {:.3g} "
                     "m and the rms height {:.3g} m: pressures are in Pa",
                     found, mean_gap, problem.rms_height));
-  state.gap.resize(state.pressure.size());
-  std::vector<bool> is_closed(state.gap.size());
-  for (std::size_t i = 0; i < state.gap.size(); ++i) {
-    state.gap[i] = mean_gap + state.displacement[i] - problem.heights[i];
-    const double excess = state.pressure[i] - problem.adhesion->pressure(
-                                                  std::max(0.0, state.gap[i]));
-    is_closed[i] = excess * elasticity.short_wave_compliance() > state.gap[i];
+  std::vector<double> gap(state.pressure.size());
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    const double own = mean_gap + state.displacement[i] - problem.heights[i];
+    const double open = std::max(0.0, own);
+    const double excess = state.pressure[i] - problem.adhesion->pressure(open);
+    gap[i] = excess * elasticity.short_wave_compliance() > own ? 0.0 : open;
   }
-  if (std::ranges::all_of(is_closed, [](bool closed) { return closed; }))
-    is_closed.assign(is_closed.size(), false);
-  restore_mean(mean_gap, is_closed, state.gap);
+  // Which shifts the open nodes to the mean, as the solver does its start.
+  const contact::AdhesiveProblem solved = problem_of(elasticity, problem);
+  const mechanics::LoadTarget target{mechanics::Control::mean_gap, mean_gap};
+  state.gap = std::move(
+      contact::AdhesiveState(elasticity, solved, target, std::move(gap)).gap);
   return state;
 }
 
@@ -92,10 +78,7 @@ AdhesiveAnswer adhesive_answer(contact::SurfaceOperator& elasticity,
                                const Problem& problem,
                                const contact::ContactSolution& state) {
   const contact::ContactSolution minimum = contact::solve_adhesive(
-      elasticity,
-      {problem.heights, *problem.adhesion,
-       descent_tolerance * problem.rms_height, most_descent_iterations,
-       contact::adhesive_scale(elasticity, problem.heights)},
+      elasticity, problem_of(elasticity, problem),
       {mechanics::Control::mean_gap, state.mean_gap}, state.gap);
   if (!minimum.converged)
     throw input::InputError(
